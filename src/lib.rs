@@ -11,6 +11,7 @@ pub use expr;
 pub use facts;
 pub use ide;
 pub use model;
+pub use packages;
 #[cfg(feature = "cli")]
 pub use picture;
 pub use preview;

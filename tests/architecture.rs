@@ -9,6 +9,7 @@
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 #[path = "architecture/imports.rs"]
 mod imports;
@@ -195,6 +196,33 @@ fn the_page_says_what_each_dependency_is_for() {
         .filter(|name| !used.contains(**name))
         .collect();
     assert!(gone.is_empty(), "rows of what nothing uses: {gone:?}");
+}
+
+/// Programs in Rust take the library with all that it brings along: little, and as much as its page says.
+#[test]
+fn the_library_brings_few_crates_along() {
+    const MOST: usize = 25;
+    let tree = Command::new(env!("CARGO"))
+        .args("tree -p xacro-expand -e normal,build --prefix none --no-dedupe".split(' '))
+        .args(["--locked", "--offline"])
+        .current_dir(REPOSITORY)
+        .output()
+        .unwrap();
+    let text = String::from_utf8(tree.stdout).unwrap();
+    let names: BTreeSet<&str> = text
+        .lines()
+        .filter_map(|line| line.split(' ').next())
+        .collect();
+    let (own, others): (Vec<&str>, Vec<&str>) =
+        names.iter().partition(|name| name.starts_with("xacro-"));
+    assert!(!own.is_empty() && names.len() <= MOST, "{names:?}");
+    let said = format!(
+        "{} crates: {} in this repository and {} from crates.io",
+        names.len(),
+        own.len(),
+        others.len()
+    );
+    assert!(read("docs/library.md").contains(&said), "{said}");
 }
 
 #[test]

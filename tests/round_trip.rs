@@ -22,8 +22,8 @@ use xacro_lsp::expand::{
     Expansion, FileIdx, MapEntry, Request, Sources, Written, expand, write_mapped,
 };
 use xacro_lsp::ide;
+use xacro_lsp::packages::{PackageOptions, Packages};
 use xacro_lsp::vfs::{Environment, Vfs};
-use xacro_lsp::workspace::{PackageOptions, Packages};
 
 /// Failures that are printed of one robot.
 const SHOWN: usize = 5;

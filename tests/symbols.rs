@@ -14,8 +14,8 @@ use std::sync::Arc;
 
 use xacro_lsp::base::Encoding;
 use xacro_lsp::expand::{Expansion, Request, SourceRange, Sources, expand};
+use xacro_lsp::packages::{PackageOptions, Packages};
 use xacro_lsp::vfs::{Environment, Vfs};
-use xacro_lsp::workspace::{PackageOptions, Packages};
 
 const HEAD: &str = "<robot name=\"r\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">";
 

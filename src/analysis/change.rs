@@ -12,8 +12,8 @@ use super::root_result::RootResult;
 use super::session::Session;
 use super::walk::is_description;
 use base::{FastSet, FileId};
+use packages::{BUILD_FILES, Package};
 use rules::{Category, Check, Finding, Severity};
-use workspace::{BUILD_FILES, Package};
 
 /// The files that changed.
 pub(super) struct Change<'a> {

@@ -19,11 +19,11 @@ use super::root_result::RootResult;
 use super::run_task;
 use super::session::Session;
 use super::suppress::SuppressionFilter;
+use super::threads::large_stacks;
 use base::limits::MESSAGE_LETTERS;
 use base::{FastMap, FastSet, FileId};
-use expand::large_stacks;
+use packages::UNQUOTED;
 use rules::{Finding, Severity, named};
-use workspace::UNQUOTED;
 
 /// What a check did, for another one of the same files.
 #[derive(Default)]

@@ -11,10 +11,10 @@ use super::root_result::RootResult;
 use super::session::Session;
 use base::FastSet;
 use facts::{FactKind, MentionKind as Mentioned, facts_of};
+use packages::nearest;
 use rules::{Finding, invalid_config};
 use vfs::SourceFile;
 use workspace::config::{ConfigLocation, ConfigMentionKind, ConfigWarning, Root};
-use workspace::nearest;
 
 impl Session {
     /// What has no effect in the configurations that hold for what was checked. What is wrong in the settings of an

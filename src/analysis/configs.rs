@@ -4,6 +4,7 @@ use std::sync::{Arc, Mutex};
 
 use super::lock::locked;
 use base::FastMap;
+use packages::nearest;
 use rules::{
     Finding, Rule, RuleSelection, SelectionOptions, Severity, THRESHOLDS, find, nearest_selector,
 };
@@ -11,7 +12,6 @@ use vfs::{LoadError, Vfs};
 use workspace::config::{
     Config, ConfigMention, ConfigMentionKind, ConfigWarning, LoadedConfig, Profile, find_config,
 };
-use workspace::nearest;
 
 /// What the command line says over every configuration file.
 #[derive(Clone, Debug, Default)]

@@ -12,9 +12,10 @@ use super::root_result::RootResult;
 use super::run_cache::{RunResult, RunSetting};
 use super::run_task;
 use super::session::Session;
+use super::threads::large_stacks;
 use base::limits::{DRIFT_RUNS, DRIFT_SOURCES};
 use base::{CancelFlag, FastSet, Span, TextRange};
-use expand::{BindingKind, Request, expand, large_stacks, write, write_mapped};
+use expand::{BindingKind, Request, expand, write, write_mapped};
 use model::{Comparison, Difference, compare};
 use rules::{
     Edit, Finding, Fix, Related, Safety, Severity, generated_urdf_out_of_date, named, span_of,

@@ -17,8 +17,8 @@ use super::session::Session;
 use super::walk::is_description;
 use base::limits::{FIX_ROUNDS, PROOF_EXPANSIONS};
 use base::{FastMap, FastSet, FileId};
+use packages::is_built;
 use rules::{Finding, Fix, Safety, Severity};
-use workspace::is_built;
 
 /// Which findings are fixed.
 #[derive(Clone, Copy, Debug)]

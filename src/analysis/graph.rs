@@ -6,8 +6,8 @@ use std::sync::Arc;
 use super::includes;
 use base::{FastMap, FastSet};
 use facts::{FactKind, facts};
+use packages::Packages;
 use vfs::{SourceFile, Vfs};
-use workspace::Packages;
 use workspace::config::Pattern;
 use xml::Document;
 

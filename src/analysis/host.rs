@@ -20,9 +20,9 @@ use super::{placing, run_task};
 use base::clock::Instant;
 use base::{CancelFlag, FastMap, TextRange};
 use expand::Forced;
+use packages::BUILD_FILES;
 use rules::check_recovered;
 use vfs::{Environment, SourceFile, Vfs};
-use workspace::BUILD_FILES;
 use workspace::config::{self, Config};
 
 /// The state of a language server.

@@ -6,9 +6,10 @@ use rayon::prelude::*;
 
 use base::{FastMap, FastSet};
 use facts::{Fact, FactKind, facts};
+use packages::Packages;
 use vfs::SourceFile;
 use workspace::config::Pattern;
-use workspace::{Packages, include_pattern, included_files};
+use workspace::{include_pattern, included_files};
 use xml::{Document, Node};
 
 /// The arguments that are the whole name of a file that a file includes: `extra` of `$(arg extra)`.
@@ -236,8 +237,8 @@ mod tests {
     use std::path::Path;
 
     use super::Included;
+    use packages::{PackageOptions, Packages};
     use vfs::testing::Tree;
-    use workspace::{PackageOptions, Packages};
 
     #[test]
     fn included_by_another_file() {

@@ -12,9 +12,10 @@ use super::options::CheckOptions;
 use super::session::Session;
 use super::walk::is_launch;
 use base::{CancelFlag, FastSet, Span, TextRange};
+use packages::nearest;
 use rules::{Finding, Severity, launched_file_not_found, unknown_launch_argument};
 use workspace::launch::{CallArgument, LaunchCall};
-use workspace::{RobotCall, has_name, nearest};
+use workspace::{RobotCall, has_name};
 
 /// Descriptions that are read for the arguments of one robot.
 const MOST_FILES: usize = 500;

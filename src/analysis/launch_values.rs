@@ -7,9 +7,10 @@ use super::declared::KnownArguments;
 use super::session::Session;
 use base::{FastMap, FastSet, Span, TextRange};
 use facts::{FactKind, MentionKind, facts_of};
+use packages::nearest;
 use rules::{Finding, argument_never_set, value_never_compared, value_outside_choices};
+use workspace::RobotCall;
 use workspace::config::Root;
-use workspace::{RobotCall, nearest};
 
 /// Words that say that there is none of something: no condition need compare with them.
 const NEUTRAL: [&str; 12] = [

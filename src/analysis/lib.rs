@@ -57,6 +57,7 @@ mod session;
 mod set_aside;
 mod suppress;
 mod task_list;
+mod threads;
 mod unused;
 mod uses;
 mod walk;

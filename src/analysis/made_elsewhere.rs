@@ -4,6 +4,7 @@ use std::path::{Component, Path};
 use super::check_task::CheckTask;
 use super::session::Session;
 use rules::{Finding, Severity, named};
+use workspace::downloads_data;
 
 impl Session {
     /// What is wrong only before a program changes the text or gets the data is an info.
@@ -17,11 +18,7 @@ impl Session {
         let is_absent = |finding: &Finding| {
             finding.rule == named::MESH_NOT_FOUND && self.has_no_such_folder(&task.file, finding)
         };
-        let downloads = || {
-            self.packages
-                .downloads_data(&task.file)
-                .then_some(Severity::Info)
-        };
+        let downloads = || downloads_data(&self.packages, &task.file).then_some(Severity::Info);
         self.lower_where(findings, is_absent, downloads);
     }
 

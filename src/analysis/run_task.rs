@@ -13,10 +13,7 @@ use super::roles::CheckedExpansion;
 use super::root_result::RootResult;
 use super::session::Session;
 use base::{CancelFlag, FastSet, FileId, Span, TextRange};
-use expand::{
-    Expansion, ExpansionLimits, FileUse, Forced, FrameKind, Origin, Read, Request, Sources,
-    expand_again,
-};
+use expand::{Expansion, FileUse, Forced, FrameKind, Origin, Read, Request, Sources, expand_again};
 use model::Robot;
 use rules::consumers::{self, Tally};
 use rules::{
@@ -111,7 +108,7 @@ pub(super) fn request(session: &Session, cancel: &CancelFlag, task: &CheckTask) 
         args: task.args.clone(),
         probe: true,
         ros_shell: true,
-        limits: ExpansionLimits::configured(&settings.config.limits),
+        limits: settings.config.limits.expansion(),
         cancel: cancel.clone(),
         ..Request::default()
     }

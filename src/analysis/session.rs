@@ -10,10 +10,11 @@ use super::lock::locked;
 use super::run_cache::Runs;
 use base::{FastMap, FastSet};
 use model::Meshes;
+use packages::{PackageOptions, Packages};
 use rules::{Manifests, Rule, RuleEnv};
 use vfs::{Environment, LoadError, Vfs};
 use workspace::config::{self, Axes, Config, ConfigWarning};
-use workspace::{Caller, Callers, Era, Excluded, GivenArg, PackageOptions, Packages, RobotCall};
+use workspace::{Caller, Callers, Era, Excluded, GivenArg, RobotCall, is_ignored_by_git};
 
 /// Files, packages, environment and configuration.
 pub struct Session {
@@ -122,6 +123,7 @@ impl Session {
                 .collect(),
             use_environment: config.use_environment,
             target: config.target,
+            ignored_by_git: is_ignored_by_git,
             ..PackageOptions::default()
         };
         let packages = Packages::new(vfs.clone(), env, options);

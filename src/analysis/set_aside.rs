@@ -8,9 +8,10 @@ use super::session::Session;
 use base::{FastMap, FastSet, FileId};
 use expand::ProblemKind;
 use model::{Joint, Robot};
+use packages::RosVersion;
 use rules::{Category, Edit, Finding, Group, Severity, Trait, named};
 use vfs::SourceFile;
-use workspace::{Caller, Era, RosVersion};
+use workspace::{Caller, Era};
 
 /// Words in the name of a file or folder that say that it is kept and not used.
 const KEPT: [&str; 17] = [

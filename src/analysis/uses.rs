@@ -4,9 +4,10 @@ use std::path::{Path, PathBuf};
 use super::check_task::CheckTask;
 use super::session::Session;
 use expand::ProblemKind;
+use packages::RosVersion;
 use rules::{Finding, Rule, Severity, named};
 use vfs::without_parents;
-use workspace::{RobotCall, RosVersion};
+use workspace::{RobotCall, is_ignored_by_git};
 
 impl Session {
     /// What breaks nothing for the launch files and programs that use a file is an info.
@@ -120,7 +121,7 @@ impl Session {
         let folder = file.parent().unwrap_or(file);
         let beside = without_parents(&folder.join(path));
         let here = without_parents(&self.vfs.absolute(Path::new(path)));
-        self.packages.is_ignored_by_git(&beside) || self.packages.is_ignored_by_git(&here)
+        is_ignored_by_git(&self.packages, &beside) || is_ignored_by_git(&self.packages, &here)
     }
 
     /// Whether a finding is in the default of an argument that all calls of the file give.

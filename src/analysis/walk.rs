@@ -7,8 +7,8 @@ use ignore::gitignore::{Gitignore, GitignoreBuilder};
 use super::report::{SkipReason, Skipped};
 use super::session::Session;
 use base::limits::SCAN_FILES;
+use packages::is_built;
 use vfs::{Environment, LoadError, Vfs};
-use workspace::is_built;
 
 /// The descriptions below `folder`, sorted by path. Left out are hidden files, what git ignores, the folders
 /// of build tools and what the configuration excludes. With them, what could not be searched.

@@ -2,6 +2,7 @@
 
 mod cancel;
 pub mod clock;
+mod expansion_limits;
 mod id_vec;
 pub mod limits;
 pub mod paths;
@@ -11,6 +12,7 @@ mod severity;
 mod text;
 
 pub use cancel::CancelFlag;
+pub use expansion_limits::ExpansionLimits;
 pub use id_vec::{Id, IdVec};
 pub use position::{Encoding, LineCol, count_line_ends, last_line_start, line_end, nth_line_start};
 pub use range::{FileId, Span, TextRange};

@@ -184,7 +184,7 @@ limits! {
         /// Combinations of arguments with which a source is expanded to compare a generated file.
         DRIFT_RUNS: usize = 50, "the generated file is not compared with the others";
         /// Nodes in a `package.xml`.
-        MANIFEST_NODES: u32 = 100_000, "its name is searched in the plain text, its dependencies are unknown";
+        MANIFEST_NODES: u32 = 100_000, "its dependencies are unknown";
         /// Bytes of arguments in the build files of a package, counted in each iteration of a loop.
         BUILD_BYTES: u32 = 200_000, "files that the rest installs are unknown";
         /// Nesting depth of folders and loops in the build files of a package.

@@ -8,8 +8,8 @@ use base::FastMap;
 use base::limits::MESH_BYTES;
 use expand::{Expansion, XAttr, XId};
 use model::Meshes;
+use packages::{Packages, UriOutcome};
 use vfs::{Vfs, relative, slashed, without_parents};
-use workspace::{Packages, UriOutcome};
 
 /// What is done with the names of assets.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

@@ -18,13 +18,14 @@ use base::limits::DRAWN_PROBLEMS;
 use base::paths::HERE;
 use base::{Encoding, IdVec};
 use expand::{
-    Expansion, ExpansionLimits, FileIdx, FileRange, FileUse, Problem, Request, Severity, Sources,
-    Written, expand, write, write_mapped,
+    Expansion, FileIdx, FileRange, FileUse, Problem, Request, Severity, Sources, Written, expand,
+    write, write_mapped,
 };
 use ide::source_map;
+use packages::{PackageOptions, Packages, UNQUOTED};
 use vfs::{Environment, LoadError, Vfs};
 use workspace::config::Config;
-use workspace::{PackageOptions, Packages, UNQUOTED};
+use workspace::is_ignored_by_git;
 
 const USAGE: &str = "usage: xacro-lint expand [options] <input> [name:=value ...]";
 const HELP: &str = "\
@@ -82,7 +83,7 @@ fn run_with(options: &ExpandOptions, env: &Environment, io: &mut Io<'_>) -> u8 {
     // of a configuration only the limits count here: what comes out is as with the reference
     let config = Config::for_file(&vfs, &root.join(&options.input)).config;
     vfs.set_max_file_bytes(config.limits.file_bytes());
-    let limits = ExpansionLimits::configured(&config.limits);
+    let limits = config.limits.expansion();
     let file = match read_stdin(options, env, &vfs, io) {
         Ok(file) => file,
         Err(message) => {
@@ -261,6 +262,7 @@ pub fn package_options(
     PackageOptions {
         explicit: explicit.iter().map(|dir| env.cwd.join(dir)).collect(),
         environment_first,
+        ignored_by_git: is_ignored_by_git,
         ..PackageOptions::default()
     }
 }

@@ -9,8 +9,8 @@ use super::check::warn_about_config;
 use super::io::Io;
 use super::render::{shown_path, visible, visible_name};
 use analysis::{Session, Setup};
+use packages::PackageEntry;
 use vfs::Environment;
-use workspace::PackageEntry;
 
 /// Print the packages that can be found, with the step of the look-up that gave each.
 pub(super) fn run(args: &PackagesArgs, env: &Environment, io: &mut Io<'_>) -> u8 {

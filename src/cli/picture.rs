@@ -12,13 +12,13 @@ use super::tree::{ExpandedRobot, explain, fails, good_tree, no_tree};
 use analysis::Session;
 use expand::Expansion;
 use model::Robot;
+use packages::nearest;
 use picture::{
     Background, LONGEST_SIDE, MOST_PIXELS, Positions, Scene, SceneOptions, ViewDirection, Viewport,
     movable, picture_png, picture_svg,
 };
 use preview::{JointModel, Model, still};
 use vfs::{Environment, write_atomically};
-use workspace::nearest;
 
 /// Forms of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -14,9 +14,9 @@ use super::watch::WatchedFiles;
 use analysis::{AnalysisHost, RootConfig};
 use base::paths::HERE;
 use base::{CancelFlag, Encoding};
+use packages::percent_decoded;
 use preview::{FromViewer, Hub, Location, LocationFormat, Received, RootName, Views, file_uri};
 use vfs::Environment;
-use workspace::percent_decoded;
 
 /// Between two looks at the files of the robot; looking takes no more than one part in `SHARE` of the time.
 const LOOK: Duration = Duration::from_millis(30);

@@ -11,8 +11,8 @@ use super::render::{
 use analysis::{Position, Report};
 use annotate_snippets::Level;
 use base::{FastMap, FastSet, FileId, Span};
+use packages::{Packages, TrustedPaths};
 use rules::{Finding, Severity};
-use workspace::{Packages, TrustedPaths};
 
 /// With the source text.
 pub(super) fn full(

@@ -12,7 +12,7 @@ use super::symbols::UseKind;
 use super::tag::Tag;
 use super::tree::{XId, XKind};
 use expr::Value;
-use workspace::nearest;
+use packages::nearest;
 
 /// A block that a call gives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -14,7 +14,7 @@ use super::tree::XId;
 use super::undefined::UndefinedKind;
 use super::{meant, params};
 use base::TextRange;
-use workspace::nearest;
+use packages::nearest;
 
 impl Expander<'_> {
     /// `xacro:macro`

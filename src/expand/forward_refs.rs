@@ -8,7 +8,7 @@ use super::problem::{Outside, Problem, TraceStep};
 use super::undefined::{Early, UndefinedKind, UndefinedName};
 use base::limits::COMPARED_NAMES;
 use expr::ScopeId;
-use workspace::{misspelled, nearest};
+use packages::{misspelled, nearest};
 
 impl Expander<'_> {
     /// Whether names that are unknown are still compared with those there are.

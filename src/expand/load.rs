@@ -14,8 +14,8 @@ use super::record::Read;
 use super::request::Sources;
 use base::TextRange;
 use base::paths::HERE;
+use packages::Built;
 use vfs::{LoadError, LoadErrorKind, SourceFile, slashed};
-use workspace::Built;
 use xml::{Document, SyntaxError, SyntaxErrorKind};
 
 impl Expander<'_> {

@@ -2,7 +2,7 @@
 use super::Problem;
 use expr::is_identifier;
 use facts::XACRO_TAGS;
-use workspace::{misspelled, nearest};
+use packages::{misspelled, nearest};
 
 /// What a text was meant to be.
 #[derive(Debug, PartialEq, Eq)]

@@ -7,9 +7,9 @@
 )] // a test may fail loudly
 use super::{Expansion, Request, Sources, expand_again};
 use base::TextRange;
+use packages::{PackageOptions, Packages};
 use vfs::Environment;
 use vfs::testing::Tree;
-use workspace::{PackageOptions, Packages};
 
 const ROBOT: &str = r#"<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">
   <!-- settings -->

@@ -1,11 +1,9 @@
 //! What an expansion is asked for: files, arguments and budgets.
 use std::path::PathBuf;
-use std::time::Duration;
 
-use base::CancelFlag;
-use base::limits::{self};
+use base::{CancelFlag, ExpansionLimits};
+use packages::Packages;
 use vfs::{Environment, Vfs};
-use workspace::{Packages, config};
 
 /// Where an expansion reads from.
 #[derive(Clone, Copy)]
@@ -16,50 +14,6 @@ pub struct Sources<'w> {
     pub packages: &'w Packages,
     /// `$(env)` and the working directory.
     pub env: &'w Environment,
-}
-
-/// Budgets of one expansion; the defaults are those of the configuration's `[limits]`.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ExpansionLimits {
-    /// Steps of expression evaluation.
-    pub eval_steps: u64,
-    /// Bytes of text made.
-    pub output_bytes: u64,
-    /// Nodes of the expanded document.
-    pub expand_nodes: u64,
-    /// Wall time.
-    pub expand_time: Duration,
-    /// Macro calls inside macro calls.
-    pub macro_depth: u32,
-    /// Includes inside includes.
-    pub include_depth: u32,
-}
-
-impl Default for ExpansionLimits {
-    fn default() -> Self {
-        Self {
-            eval_steps: limits::EVAL_STEPS,
-            output_bytes: limits::OUTPUT_BYTES,
-            expand_nodes: limits::EXPAND_NODES,
-            expand_time: Duration::from_millis(limits::EXPAND_MS),
-            macro_depth: limits::MACRO_DEPTH,
-            include_depth: limits::INCLUDE_DEPTH,
-        }
-    }
-}
-
-impl ExpansionLimits {
-    /// The budgets of a configuration.
-    pub fn configured(limits: &config::Limits) -> Self {
-        Self {
-            eval_steps: limits.eval_steps,
-            expand_nodes: limits.expand_nodes,
-            expand_time: Duration::from_millis(limits.expand_ms),
-            macro_depth: limits.macro_depth,
-            include_depth: limits.include_depth,
-            ..Self::default()
-        }
-    }
 }
 
 /// What to expand, and how.

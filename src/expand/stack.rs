@@ -7,7 +7,7 @@ use std::io;
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// Bytes of a large stack; what is not touched is never taken.
-const SIZE: usize = 512 << 20;
+pub const LARGE_STACK: usize = 512 << 20;
 /// Bytes that nested elements may take of the first thread's stack; an expression takes two megabytes more at most.
 const SHARE: usize = 1 << 20;
 /// A first thread with fewer bytes of stack is left at once; this is what systems give.
@@ -57,7 +57,7 @@ fn on_large_stack<T: Send, W: FnOnce() -> T + Send>(work: W) -> T {
         };
         let thread = std::thread::Builder::new()
             .name("expand".into())
-            .stack_size(SIZE);
+            .stack_size(LARGE_STACK);
         let thread = thread.spawn_scoped(scope, run).ok()?;
         thread
             .join()
@@ -79,7 +79,7 @@ fn on_large_stack<T: Send, W: FnOnce() -> T + Send>(work: W) -> T {
 /// When the system starts no thread at all.
 pub fn spawn_on_large_stack(name: &str, work: impl FnOnce() + Send + 'static) -> io::Result<()> {
     let work = Arc::new(Mutex::new(Some(work)));
-    spawn(name, work.clone(), Some(SIZE)).or_else(|_| spawn(name, work, None))
+    spawn(name, work.clone(), Some(LARGE_STACK)).or_else(|_| spawn(name, work, None))
 }
 
 /// Start a thread with a stack of `size`, or an ordinary one, that does the work unless it is taken.
@@ -100,17 +100,18 @@ fn spawn(
     builder.spawn(run).map(drop)
 }
 
-/// Threads with large stacks, as many as there are processors; none where the system gives none.
-pub fn large_stacks() -> Option<rayon::ThreadPool> {
-    let pool = rayon::ThreadPoolBuilder::new().stack_size(SIZE);
-    pool.start_handler(|_| FLOOR.set(0)).build().ok()
+/// Say that this thread was started with [`LARGE_STACK`]: expansions need not leave it.
+pub fn on_large_thread() {
+    FLOOR.set(0);
 }
 
 #[cfg(test)]
 mod tests {
     use std::thread::{self, ThreadId};
 
-    use super::{USUAL, large_stacks, on_first_thread, spawn_on_large_stack, with_stack};
+    use super::{
+        LARGE_STACK, USUAL, on_first_thread, on_large_thread, spawn_on_large_stack, with_stack,
+    };
 
     /// The threads that work comes to at each of some levels of nesting.
     fn threads(levels: usize) -> Vec<ThreadId> {
@@ -163,7 +164,12 @@ mod tests {
         let (tell, told) = std::sync::mpsc::channel();
         spawn_on_large_stack("test", move || tell.send(stays()).unwrap()).unwrap();
         assert!(told.recv().unwrap());
-        assert!(large_stacks().unwrap().install(stays));
+        let told_so = move || {
+            on_large_thread();
+            stays()
+        };
+        let thread = thread::Builder::new().stack_size(LARGE_STACK);
+        assert!(thread.spawn(told_so).unwrap().join().unwrap());
         assert!(!stays());
     }
 }

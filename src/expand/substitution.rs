@@ -16,8 +16,8 @@ use expr::{
     self, ErrorKind, EvalError, Host, HostFn, Lookup, Module, ScopeId, Subst, SubstArg, SubstError,
     Value, display, literal,
 };
+use packages::RosVariable;
 use vfs::slashed;
-use workspace::RosVariable;
 
 /// Why a substitution has no value.
 enum SubstFailure {

@@ -9,8 +9,8 @@ use super::locate::{LocatedNode, NodePart};
 use super::values::{distinct, instances};
 use base::TextRange;
 use expr::{self, Subst, TemplateToken, Value, WordKind, display, parse_substitution, words};
+use packages::UriOutcome;
 use rules::RuleEnv;
-use workspace::UriOutcome;
 use xml::{Attr, Node, NodeKind};
 
 /// A name of a file, and where it leads.

@@ -26,10 +26,10 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use base::Encoding;
-use expand::{Expansion, ExpansionLimits, FileRange, Origin, Request, Sources, Written};
+use base::limits::FILE_MB;
+use expand::{Expansion, FileRange, Origin, Request, Sources, Written};
+use packages::{PackageOptions, Packages, UriOutcome};
 use vfs::{Environment, Vfs};
-use workspace::config::Config;
-use workspace::{PackageOptions, Packages, UriOutcome};
 
 /// How a file is expanded.
 #[derive(Clone, Debug, Default)]
@@ -123,7 +123,7 @@ impl fmt::Display for Problem {
 /// Expand a xacro file; plain URDF comes out as it is. Relative paths are relative to the working directory.
 pub fn expand(file: impl AsRef<Path>, options: &Options) -> Robot {
     let env = Environment::capture();
-    let vfs = Arc::new(Vfs::of(&env, Config::default().limits.file_bytes()));
+    let vfs = Arc::new(Vfs::of(&env, FILE_MB * 1_000_000));
     let explicit = options
         .package_path
         .iter()
@@ -138,7 +138,6 @@ pub fn expand(file: impl AsRef<Path>, options: &Options) -> Robot {
     let request = Request {
         file: vfs::slashed(file.as_ref()),
         args: options.args.clone(),
-        limits: ExpansionLimits::configured(&Config::default().limits),
         ..Request::default()
     };
     let expansion = expand::expand(

@@ -1,7 +1,7 @@
 use super::{Kinematics, Robot, ShapeKind, tag_start};
 use expand::{Expansion, Request, Sources, expand};
+use packages::{PackageOptions, Packages};
 use vfs::testing::Tree;
-use workspace::{PackageOptions, Packages};
 
 fn expanded(text: &str) -> Expansion {
     let tree = Tree::new();

@@ -12,7 +12,7 @@ use analysis::Session;
 use base::{FastMap, FastSet};
 use expand::{Expansion, Origin};
 use model::{self, Material, Robot, ShapeKind};
-use workspace::UriOutcome;
+use packages::UriOutcome;
 
 /// What a body looks like; lengths in meters.
 #[derive(Clone, Debug, PartialEq, Serialize)]

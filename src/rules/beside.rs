@@ -11,8 +11,8 @@ use super::sink::{Reported, Sink, span_of};
 use base::{FileId, Span};
 use expand::{Expansion, Origin};
 use model::{AttrValue, Joint, Kinematics, Robot};
+use packages::nearest;
 use project::{ProjectNameKind, SpannedName, Srdf, YamlSettings};
-use workspace::nearest;
 
 /// A file beside a robot.
 pub struct BesideCx<'a> {

@@ -10,8 +10,8 @@ use super::xml::{CheckedElement, Numeric};
 use base::{FastMap, FastSet};
 use expand::{Expansion, FileIdx, Problem, XId};
 use model::{AttrValue, Joint, Kinematics, Link, Meshes, Robot, Version};
+use packages::Packages;
 use vfs::{SourceFile, Vfs};
-use workspace::Packages;
 use workspace::config::Config;
 use xml::{Attr, Document, Node, NodeKind};
 

@@ -4,7 +4,7 @@ use super::{
     consumers, control, conventions, frames, geometry, inertia, joint, linter, moveit, package,
     srdf, structure, style, xacro, xml,
 };
-use workspace::nearest;
+use packages::nearest;
 
 /// All rules, by category and code.
 pub fn all() -> impl Iterator<Item = &'static Rule> {

@@ -23,7 +23,7 @@ pub(super) fn file_path(uri: &Url) -> Option<PathBuf> {
     // what a browser has for a system has no paths of its own
     #[cfg(not(any(unix, windows)))]
     return Some(
-        workspace::percent_decoded(uri.path())
+        packages::percent_decoded(uri.path())
             .unwrap_or_else(|| uri.path().to_owned())
             .into(),
     );

@@ -1,7 +1,5 @@
 //! From bytes to text.
 
-use encoding_rs::{Encoding, UTF_8, UTF_16BE, UTF_16LE};
-
 /// The text of a file.
 pub(super) struct DecodedText {
     /// The text, bad bytes replaced by U+FFFD.
@@ -11,43 +9,58 @@ pub(super) struct DecodedText {
 }
 
 /// Decode as UTF-8, whatever the XML declaration says: that is how the reference opens every file. Bytes
-/// that are not UTF-8 are an error; for people they are shown in the encoding they seem to have.
+/// that are not UTF-8 are an error; for people they are shown in the encoding they seem to have, as far as the
+/// feature `encodings` goes.
 pub(super) fn decode(bytes: Vec<u8>) -> DecodedText {
     let marked = match bytes.as_slice() {
         // a second mark is no longer a mark: the parser has to see that there were two
         [0xEF, 0xBB, 0xBF, 0xEF, 0xBB, 0xBF, ..] => return utf8(bytes, 0),
         [0xEF, 0xBB, 0xBF, rest @ ..] => return utf8(rest.to_vec(), 3),
-        [0xFF, 0xFE, rest @ ..] => Some((UTF_16LE, rest)),
-        [0xFE, 0xFF, rest @ ..] => Some((UTF_16BE, rest)),
-        [b'<', 0, b'?', 0, ..] => Some((UTF_16LE, bytes.as_slice())),
-        [0, b'<', 0, b'?', ..] => Some((UTF_16BE, bytes.as_slice())),
+        [0xFF, 0xFE, rest @ ..] => Some(utf16(rest, u16::from_le_bytes)),
+        [0xFE, 0xFF, rest @ ..] => Some(utf16(rest, u16::from_be_bytes)),
+        [b'<', 0, b'?', 0, ..] => Some(utf16(&bytes, u16::from_le_bytes)),
+        [0, b'<', 0, b'?', ..] => Some(utf16(&bytes, u16::from_be_bytes)),
         _ => None,
     };
-    if let Some((encoding, rest)) = marked {
+    if let Some(text) = marked {
         let error = utf8(bytes.clone(), 0)
             .error
             .or_else(|| Some((0, "the file is UTF-16".to_owned())));
-        return DecodedText {
-            text: encoding.decode_without_bom_handling(rest).0.into_owned(),
-            error,
-        };
+        return DecodedText { text, error };
     }
-    let guess = declared(&bytes).and_then(|label| Encoding::for_label(label.as_bytes()));
-    let guess = guess.filter(|encoding| *encoding != UTF_8 && encoding.is_ascii_compatible());
-    match guess {
-        Some(encoding) if std::str::from_utf8(&bytes).is_err() => {
-            let (text, _) = encoding.decode_without_bom_handling(&bytes);
-            let text = text.into_owned();
-            DecodedText {
-                text,
-                error: utf8(bytes, 0).error,
-            }
-        }
-        _ => utf8(bytes, 0),
+    #[cfg(feature = "encodings")]
+    if let Some(text) = as_declared(&bytes) {
+        let error = utf8(bytes, 0).error;
+        return DecodedText { text, error };
     }
+    utf8(bytes, 0)
+}
+
+/// The text of UTF-16; half a character and half a pair become U+FFFD.
+fn utf16(bytes: &[u8], unit: fn([u8; 2]) -> u16) -> String {
+    let (units, rest) = bytes.as_chunks();
+    let letters = char::decode_utf16(units.iter().map(|&bytes| unit(bytes)));
+    let letters = letters.map(|letter| letter.unwrap_or(char::REPLACEMENT_CHARACTER));
+    letters
+        .chain(rest.first().map(|_| char::REPLACEMENT_CHARACTER))
+        .collect()
+}
+
+/// The text of bytes that are not UTF-8 and that an XML declaration says are something else.
+#[cfg(feature = "encodings")]
+fn as_declared(bytes: &[u8]) -> Option<String> {
+    use encoding_rs::{Encoding, UTF_8};
+
+    let encoding = Encoding::for_label(declared(bytes)?.as_bytes())?;
+    let is_other = encoding != UTF_8 && encoding.is_ascii_compatible();
+    (is_other && std::str::from_utf8(bytes).is_err()).then(|| {
+        let (text, _) = encoding.decode_without_bom_handling(bytes);
+        text.into_owned()
+    })
 }
 
 /// The encoding an XML declaration names.
+#[cfg(feature = "encodings")]
 fn declared(bytes: &[u8]) -> Option<String> {
     let head = bytes.strip_prefix(b"<?xml")?;
     let end = memchr::memmem::find(head, b"?>")?;
@@ -101,6 +114,13 @@ mod tests {
                 .chain(text.encode_utf16().flat_map(u16::to_le_bytes))
                 .collect()
         };
+        let shown = |with: &'static str, without: &'static str| {
+            if cfg!(feature = "encodings") {
+                with
+            } else {
+                without
+            }
+        };
         let table: Vec<(Vec<u8>, &str, Option<u32>)> = vec![
             (b"plain".to_vec(), "plain", None),
             ("\u{FEFF}<a/>é".into(), "<a/>é", None),
@@ -113,18 +133,29 @@ mod tests {
             ),
             (vec![0xFE, 0xFF, 0, b'<', 0, b'a'], "<a", Some(0)),
             (
+                vec![0xFE, 0xFF, 0xD8, 0x3D, 0, b'a', 0],
+                "\u{FFFD}a\u{FFFD}",
+                Some(0),
+            ),
+            (
                 "<?xml encoding='ISO-8859-1'?>é".into(),
                 "<?xml encoding='ISO-8859-1'?>é",
                 None,
             ),
             (
                 b"<?xml encoding='ISO-8859-1'?>\xe9".to_vec(),
-                "<?xml encoding='ISO-8859-1'?>é",
+                shown(
+                    "<?xml encoding='ISO-8859-1'?>é",
+                    "<?xml encoding='ISO-8859-1'?>\u{FFFD}",
+                ),
                 Some(29),
             ),
             (
                 b"<?xml encoding = \"windows-1252\" ?>\x80".to_vec(),
-                "<?xml encoding = \"windows-1252\" ?>€",
+                shown(
+                    "<?xml encoding = \"windows-1252\" ?>€",
+                    "<?xml encoding = \"windows-1252\" ?>\u{FFFD}",
+                ),
                 Some(34),
             ),
             (

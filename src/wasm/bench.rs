@@ -10,12 +10,13 @@ use serde_json::{Map, Value, json};
 use super::calls::{Call, CheckCall, RobotParams};
 use analysis::{AnalysisHost, FixOptions, RootConfig, Session};
 use base::{CancelFlag, Encoding, IdVec};
-use expand::{Expansion, ExpansionLimits, FileIdx, FileRange, Problem, Request};
+use expand::{Expansion, FileIdx, FileRange, Problem, Request};
+use packages::{PackageOptions, Packages};
 use preview::{LocationFormat, Views};
 use rules::{Safety, Severity};
 use vfs::{Environment, Vfs, shown_path};
 use workspace::config::Config;
-use workspace::{PackageOptions, Packages};
+use workspace::is_ignored_by_git;
 
 /// The folder of all files. Paths outside are possible; nothing is searched there.
 pub(crate) const FOLDER: &str = "/workspace";
@@ -159,13 +160,14 @@ impl Bench {
         let found = PackageOptions {
             explicit,
             environment_first: true,
+            ignored_by_git: is_ignored_by_git,
             ..PackageOptions::default()
         };
         let packages = Packages::new(self.vfs.clone(), &self.env, found);
         let request = Request {
             file: robot.file.clone(),
             args: robot.args.clone().into_iter().collect(),
-            limits: ExpansionLimits::configured(&config.limits),
+            limits: config.limits.expansion(),
             keep: true,
             ..Request::default()
         };

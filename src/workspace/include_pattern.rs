@@ -3,9 +3,9 @@
 
 use std::path::{Path, PathBuf};
 
-use super::Packages;
 use super::config::Pattern;
 use base::paths::HERE;
+use packages::Packages;
 use vfs::{Vfs, without_parents};
 
 /// Files that one include with a computed name may bring in.

@@ -1,65 +1,50 @@
 //! Files that a checkout lacks on purpose: what `.gitignore` leaves out, and what Git LFS keeps elsewhere.
 
 use std::path::Path;
-use std::sync::Arc;
 
 use ignore::gitignore::{Gitignore, GitignoreBuilder};
 
-use super::{Packages, is_built};
+use packages::Packages;
 use vfs::Vfs;
-
-/// Files that have tools look for no packages in a folder.
-const IGNORE_MARKS: [&str; 3] = ["AMENT_IGNORE", "CATKIN_IGNORE", "COLCON_IGNORE"];
 
 /// What Git says about the files below a folder, in files that lie in it.
 #[derive(Default)]
-pub(super) struct GitRules {
+struct GitRules {
     ignored: Option<Gitignore>,
     in_lfs: Option<Gitignore>,
 }
 
-impl Packages {
-    /// Whether a `.gitignore` between a file and the top of its sources leaves the file out of the repository.
-    pub fn is_ignored_by_git(&self, file: &Path) -> bool {
-        self.is_matched(file, |rules| rules.ignored.as_ref())
-    }
+/// Whether a `.gitignore` between a file and the top of its sources leaves the file out of the repository.
+pub fn is_ignored_by_git(packages: &Packages, file: &Path) -> bool {
+    is_matched(packages, file, |rules| rules.ignored.as_ref())
+}
 
-    /// Whether a file lies in what a build installed, and the build tool says so: what is missing there was not installed yet.
-    pub fn is_in_a_build(&self, file: &Path) -> bool {
-        let is_one = |folder: &Path| {
-            folder.file_name().is_some_and(is_built)
-                && IGNORE_MARKS
-                    .iter()
-                    .any(|mark| self.vfs.is_file(&folder.join(mark)))
-        };
-        file.ancestors().skip(1).any(is_one)
-    }
+/// Whether a `.gitattributes` between a file and the top of its sources gives the file to Git LFS.
+pub fn is_in_git_lfs(packages: &Packages, file: &Path) -> bool {
+    is_matched(packages, file, |rules| rules.in_lfs.as_ref())
+}
 
-    /// Whether a `.gitattributes` between a file and the top of its sources gives the file to Git LFS.
-    pub fn is_in_git_lfs(&self, file: &Path) -> bool {
-        self.is_matched(file, |rules| rules.in_lfs.as_ref())
-    }
-
-    /// Whether the rules of the nearest folder that has one about a file match it.
-    fn is_matched(&self, file: &Path, kind: impl Fn(&GitRules) -> Option<&Gitignore>) -> bool {
-        let Some(top) = self.sources_around(file) else {
-            return false;
-        };
-        let folders = file
-            .ancestors()
-            .skip(1)
-            .take_while(|folder| folder.starts_with(&top));
-        let matched = folders.map(|folder| {
-            let rules = self.git_rules.get(folder.to_owned(), || {
-                Arc::new(GitRules::of(&self.vfs, folder))
-            });
-            let found = kind(&rules).map(|rules| rules.matched_path_or_any_parents(file, false));
-            found
-                .filter(|found| !found.is_none())
-                .map(|found| found.is_ignore())
-        });
-        matched.flatten().next().unwrap_or(false)
-    }
+/// Whether the rules of the nearest folder that has one about a file match it.
+fn is_matched(
+    packages: &Packages,
+    file: &Path,
+    kind: impl Fn(&GitRules) -> Option<&Gitignore>,
+) -> bool {
+    let Some(top) = packages.sources_around(file) else {
+        return false;
+    };
+    let folders = file
+        .ancestors()
+        .skip(1)
+        .take_while(|folder| folder.starts_with(&top));
+    let matched = folders.map(|folder| {
+        let rules = packages.of_folder(folder, || GitRules::of(packages.vfs(), folder));
+        let found = kind(&rules).map(|rules| rules.matched_path_or_any_parents(file, false));
+        found
+            .filter(|found| !found.is_none())
+            .map(|found| found.is_ignore())
+    });
+    matched.flatten().next().unwrap_or(false)
 }
 
 impl GitRules {
@@ -95,7 +80,8 @@ fn patterns<'l>(folder: &Path, lines: impl Iterator<Item = &'l str>) -> Option<G
 
 #[cfg(test)]
 mod tests {
-    use crate::{PackageOptions, Packages};
+    use super::{is_ignored_by_git, is_in_git_lfs};
+    use packages::{PackageOptions, Packages};
     use vfs::testing::Tree;
 
     #[test]
@@ -125,8 +111,8 @@ mod tests {
         ] {
             let file = tree.path(file);
             let found = (
-                packages.is_ignored_by_git(&file),
-                packages.is_in_git_lfs(&file),
+                is_ignored_by_git(&packages, &file),
+                is_in_git_lfs(&packages, &file),
             );
             assert_eq!(found, (is_ignored, is_in_lfs), "{file:?}");
         }

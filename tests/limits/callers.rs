@@ -6,8 +6,9 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use xacro_lsp::base::limits::*;
+use xacro_lsp::packages::{PackageOptions, Packages};
 use xacro_lsp::vfs::{Environment, Vfs};
-use xacro_lsp::workspace::{Callers, PackageOptions, Packages};
+use xacro_lsp::workspace::Callers;
 
 use super::{folder, write};
 

@@ -5,8 +5,9 @@ use std::path::Path;
 use std::sync::Arc;
 
 use xacro_lsp::base::limits::*;
+use xacro_lsp::packages::{PackageOptions, Packages};
 use xacro_lsp::vfs::{Environment, Vfs};
-use xacro_lsp::workspace::{Callers, PackageOptions, Packages, launch};
+use xacro_lsp::workspace::{Callers, launch};
 
 use super::{folder, write};
 

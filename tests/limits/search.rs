@@ -6,8 +6,8 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use xacro_lsp::base::limits::*;
+use xacro_lsp::packages::{PackageOptions, Packages};
 use xacro_lsp::vfs::{Environment, Vfs};
-use xacro_lsp::workspace::{PackageOptions, Packages};
 
 use super::{LINK, MANIFEST, folder, robot, run, write};
 

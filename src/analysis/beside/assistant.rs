@@ -9,12 +9,13 @@ use super::files::{Beside, Robots};
 use super::pairing::stem;
 use base::{CancelFlag, Span, TextRange};
 use expand::{Expansion, Problem, ProblemKind, Severity};
+use packages::nearest;
 use project::{Assistant, SpannedName};
 use rules::{
     Finding, setup_assistant_file_not_found, setup_assistant_robot_fails,
     setup_assistant_unknown_argument,
 };
-use workspace::nearest;
+use workspace::is_ignored_by_git;
 
 impl Session {
     /// What there is to say about a `.setup_assistant`.
@@ -78,7 +79,7 @@ impl Session {
         is_named
             && !self.vfs.exists(path)
             && self.packages.containing(path).is_some()
-            && !self.packages.is_ignored_by_git(path)
+            && !is_ignored_by_git(&self.packages, path)
             && (is_xacro(&path.to_string_lossy()) || !self.has_source(path))
     }
 

@@ -14,11 +14,11 @@ use super::fitting::{Paired, has_choices, names_of};
 use super::paired::Pairing;
 use base::limits::FILES_BESIDE;
 use base::{CancelFlag, FastMap, FastSet};
+use packages::RosVersion;
 use rules::{
     BesideContent, Chosen, Finding, JointConnection, OfferedInterface, PairedRobot, RobotNames,
     all, check_beside, has_ignored_tags, is_semantic_name, is_whole,
 };
-use workspace::RosVersion;
 use xml::Node;
 
 /// What a comparison of files with their robots gave.

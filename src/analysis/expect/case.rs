@@ -10,7 +10,7 @@ use super::evaluate::ExpectationContext;
 use super::snapshot::Snapshot;
 use super::{RULE, TestOptions};
 use base::{Span, TextRange};
-use expand::{Expansion, ExpansionLimits, Request, expand};
+use expand::{Expansion, Request, expand};
 use model::{Kinematics, Robot};
 use rules::{
     Category, Chosen, Finding, Related, RootKind, Rule, Severity, all, check_expansion,
@@ -108,7 +108,7 @@ impl Case {
             file: vfs::slashed(file),
             args: self.root.args.clone(),
             ros_shell: true,
-            limits: ExpansionLimits::configured(&self.settings.config.limits),
+            limits: self.settings.config.limits.expansion(),
             cancel: options.check.cancel.clone(),
             ..Request::default()
         }

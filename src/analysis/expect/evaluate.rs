@@ -10,9 +10,9 @@ use super::snapshot::Snapshot;
 use base::Span;
 use expand::{Expansion, Origin, Written, XId, write_mapped};
 use model::{AttrValue, ControlJoint, Joint, JointType, Kinematics, Link, Robot, tag_start};
+use packages::nearest;
 use rules::{Finding, Related, calls, span_of};
 use workspace::config::{Expectation, ExpectedJoint};
-use workspace::nearest;
 
 /// An expectation that applies to a robot.
 pub(super) struct ExpectationContext<'a> {

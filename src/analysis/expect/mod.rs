@@ -21,9 +21,9 @@ use super::options::CheckOptions;
 use super::report::{Report, Unreadable};
 use super::root_config::RootConfig;
 use super::session::Session;
+use super::threads::large_stacks;
 use base::limits::MATRIX_RUNS;
 use base::{FastMap, FastSet, Span};
-use expand::large_stacks;
 use rules::{Activation, Category, Check, Finding, Rule, Severity};
 use workspace::config::{Axes, ConfigLocation, ConfigWarning};
 

@@ -11,10 +11,11 @@ use base::FastSet;
 use expand::{Expansion, MacroParam, parse_params};
 use facts::{Fact, FactKind, facts_of};
 use model::Robot;
+use packages::Packages;
 use rules::is_semantic_file;
 use rules::schema::{ElementSpec, robot, semantic_robot};
 use vfs::{SourceFile, Vfs};
-use workspace::{Packages, admitted_files, named_file};
+use workspace::{admitted_files, named_file};
 use xml::{Attr, Entities, Item, Node, NodeKind};
 
 /// What the answer may be taken from.

@@ -3,7 +3,7 @@
 use super::item::{Completion, Completions, ItemKind};
 use super::scope::CompletionScope;
 use crate::typed::Typed;
-use workspace::{PackageEntry, PackageSource};
+use packages::{PackageEntry, PackageSource};
 
 /// The commands, what each needs, and what it gives.
 const COMMANDS: &[(&str, &str, &str)] = &[

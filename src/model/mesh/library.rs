@@ -10,8 +10,8 @@ use super::{Mesh, Triangles, obj};
 use base::FastSet;
 use base::limits::{MATERIAL_BYTES, MESH_BYTES};
 use base::paths::HERE;
+use packages::percent_decoded;
 use vfs::{FileCache, LoadError, LoadErrorKind, Vfs};
-use workspace::percent_decoded;
 
 /// Meshes by path; each is read once, and again when it has changed.
 #[derive(Default)]

@@ -1,5 +1,5 @@
 //! The programs that read URDF.
-use workspace::nearest;
+use packages::nearest;
 
 /// A program or library that reads URDF.
 #[derive(Debug)]

@@ -4,8 +4,8 @@ use super::super::finding::Help;
 use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 use base::FastSet;
+use packages::nearest;
 use project::YamlSettings;
-use workspace::nearest;
 
 pub(in super::super) static RULE: Rule = Rule::beside(
     "CTL028",

@@ -8,7 +8,7 @@ use super::super::sink::Sink;
 use base::FastSet;
 use facts::{Fact, FactKind, facts};
 use model::Gazebo;
-use workspace::nearest;
+use packages::nearest;
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "CTL014",

@@ -8,7 +8,7 @@ use base::{FastMap, FastSet, TextRange};
 use expand::{Expansion, Origin};
 use model::JointType::{Prismatic, Revolute};
 use model::{AttrValue, ControlJoint, Joint};
-use workspace::nearest;
+use packages::nearest;
 
 /// The joints that ros2_control lists, each with that of the robot.
 pub(super) fn controlled<'a>(cx: &DocumentCx<'a>) -> Vec<(&'a ControlJoint, &'a Joint)> {

@@ -6,7 +6,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, pa
 use super::super::sink::Sink;
 use super::plugins::plugins;
 use model::AttrValue;
-use workspace::misspelled;
+use packages::misspelled;
 
 pub(super) static RULE: Rule = Rule {
     code: "CTL024",

@@ -7,7 +7,7 @@ use super::super::sink::Sink;
 use super::plugins::plugins;
 use expand::XId;
 use model::AttrValue;
-use workspace::UriOutcome;
+use packages::UriOutcome;
 
 pub(super) static RULE: Rule = Rule {
     code: "CTL021",

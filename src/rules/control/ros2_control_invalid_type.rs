@@ -5,7 +5,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::super::vocabulary::is_simulator_plugin;
 use model::{AttrValue, Ros2Control, tag_start};
-use workspace::nearest;
+use packages::nearest;
 
 pub(super) static RULE: Rule = Rule {
     code: "CTL005",

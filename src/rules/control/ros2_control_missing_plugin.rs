@@ -3,7 +3,7 @@ use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use model::{AttrValue, Ros2Control, source_mentions, tag_start};
-use workspace::nearest;
+use packages::nearest;
 
 pub(super) static RULE: Rule = Rule {
     code: "CTL002",

@@ -4,7 +4,7 @@ use super::super::finding::Help;
 use super::super::numbers::rewrite;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use workspace::{misspelled, nearest};
+use packages::{misspelled, nearest};
 
 pub(super) static RULE: Rule = Rule {
     code: "CTL003",

@@ -5,7 +5,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use expand::XId;
 use model::tag_start;
-use workspace::nearest;
+use packages::nearest;
 
 pub(super) static RULE: Rule = Rule {
     code: "CTL019",

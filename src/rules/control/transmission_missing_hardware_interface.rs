@@ -4,7 +4,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use expand::XTree;
 use model::{AttrValue, Transmission, tag_start};
-use workspace::RosVersion;
+use packages::RosVersion;
 
 pub(super) static RULE: Rule = Rule {
     code: "CTL013",

@@ -4,7 +4,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, pa
 use super::super::sink::Sink;
 use super::joints::unknown_joints;
 use model::AttrValue;
-use workspace::{RosVersion, misspelled};
+use packages::{RosVersion, misspelled};
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "CTL012",

@@ -5,7 +5,7 @@ use super::super::numbers::rewrite;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::transmissions::{severity, type_of};
-use workspace::nearest;
+use packages::nearest;
 
 pub(super) static RULE: Rule = Rule {
     code: "CTL023",

@@ -3,7 +3,7 @@ use super::super::context::DocumentCx;
 use super::super::rule::Severity;
 use expand::{XId, XTree};
 use model::AttrValue;
-use workspace::RosVersion;
+use packages::RosVersion;
 
 /// The text of the `type` of a transmission.
 pub(super) fn type_of(tree: &XTree, transmission: XId) -> Option<AttrValue> {

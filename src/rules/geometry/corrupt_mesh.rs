@@ -63,5 +63,5 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 fn is_in_git_lfs(cx: &DocumentCx<'_>, mesh: &MeshUse<'_>) -> bool {
     mesh.target
         .place()
-        .is_some_and(|file| cx.world.packages.is_in_git_lfs(file))
+        .is_some_and(|file| workspace::is_in_git_lfs(cx.world.packages, file))
 }

@@ -9,7 +9,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, pa
 use super::super::sink::Sink;
 use super::shapes::{is_replaceable, resource_names};
 use model::AttrValue;
-use workspace::RosVersion;
+use packages::RosVersion;
 
 pub(super) static RULE: Rule = Rule {
     code: "GEO021",

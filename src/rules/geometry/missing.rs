@@ -9,6 +9,7 @@ use super::super::rule::{Safety, Severity};
 use super::super::sink::{Reported, Sink};
 use super::shapes::is_replaceable;
 use model::AttrValue;
+use workspace::is_ignored_by_git;
 
 /// The missing files of a robot by package and folder.
 #[derive(Default)]
@@ -89,7 +90,7 @@ fn report(
             report.severity(Severity::Info).help(help).done();
             continue;
         }
-        if !cx.world.vfs.is_dir(folder) && cx.world.packages.is_ignored_by_git(&file.path) {
+        if !cx.world.vfs.is_dir(folder) && is_ignored_by_git(cx.world.packages, &file.path) {
             let help = "get the files that `.gitignore` leaves out, or correct the path";
             report.severity(Severity::Info).help(help).done();
             continue;

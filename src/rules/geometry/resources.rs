@@ -11,7 +11,7 @@ use super::uri::defect;
 use base::FastMap;
 use expand::{Expansion, FileIdx, XId, XTree};
 use model::{AttrValue, Link, Mesh, Shape, ShapeKind};
-use workspace::{UriKind, UriOutcome};
+use packages::{UriKind, UriOutcome};
 
 /// A mesh that a visual or collision names.
 pub struct MeshUse<'a> {

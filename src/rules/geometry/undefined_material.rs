@@ -7,7 +7,7 @@ use super::super::sink::Sink;
 use super::shapes::{is_defined, is_replaceable, mesh_file, visual_materials};
 use base::FastSet;
 use model::{AttrValue, Body, Material};
-use workspace::nearest;
+use packages::nearest;
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "GEO026",

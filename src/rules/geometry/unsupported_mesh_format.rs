@@ -3,7 +3,7 @@ use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::target::FileLookup;
-use workspace::edit_distance;
+use packages::edit_distance;
 
 pub(super) static RULE: Rule = Rule {
     code: "GEO003",

@@ -5,7 +5,7 @@ use super::super::finding::Help;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use base::FastSet;
-use workspace::nearest;
+use packages::nearest;
 
 pub(super) static RULE: Rule = Rule {
     code: "JNT021",

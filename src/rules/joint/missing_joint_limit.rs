@@ -4,7 +4,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use model::JointType::{Prismatic, Revolute};
 use model::{AttrValue, Joint, tag_start};
-use workspace::nearest;
+use packages::nearest;
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "JNT002",

@@ -5,7 +5,7 @@ use super::super::numbers::rewrite;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use model::JointType;
-use workspace::nearest;
+use packages::nearest;
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "JNT001",

@@ -3,7 +3,7 @@ use super::super::linter::directive::{Directive, Selector, Suppression};
 use super::super::rule::Rule;
 use super::reach::SuppressionIndex;
 use base::{Encoding, TextRange};
-use workspace::nearest;
+use packages::nearest;
 use xml::{Document, Node, NodeKind};
 
 /// The words that may follow.

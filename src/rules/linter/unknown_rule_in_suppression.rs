@@ -5,7 +5,7 @@ use super::super::registry::{find, nearest_selector};
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::suppression::Suppressions;
-use workspace::edit_distance;
+use packages::edit_distance;
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "LNT002",

@@ -4,7 +4,7 @@ use super::super::finding::Help;
 use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 use base::FastSet;
-use workspace::nearest;
+use packages::nearest;
 
 pub(in super::super) static RULE: Rule = Rule::beside(
     "MOV007",

@@ -6,8 +6,8 @@ use roxmltree::{Document, Node, ParsingOptions};
 
 use base::limits::MANIFEST_NODES;
 use base::{FastMap, FileId, Span, TextRange};
+use packages::Package;
 use vfs::TextFile;
-use workspace::Package;
 
 /// The elements that make a package come along with another one at run time.
 const RUNTIME: [&str; 4] = ["depend", "exec_depend", "run_depend", "build_export_depend"];

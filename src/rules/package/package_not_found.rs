@@ -12,7 +12,7 @@ use super::super::sink::Sink;
 use super::dependencies;
 use base::{TextRange, counted};
 use expand::{Expansion, FileIdx, Origin, Read, XAttr, XId};
-use workspace::NotFound;
+use packages::NotFound;
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "PKG001",

@@ -8,7 +8,7 @@ use super::super::context::{RobotCx, elements};
 use base::FastSet;
 use expand::Origin;
 use model::{AttrValue, Joint, Robot};
-use workspace::nearest;
+use packages::nearest;
 
 /// A link that does not exist.
 pub(super) struct MissingLink {

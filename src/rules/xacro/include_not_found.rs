@@ -6,7 +6,7 @@ use super::super::problem_cx::ProblemCx;
 use super::super::rule::{Category, Rule, Safety, Severity, page};
 use base::{Span, TextRange};
 use expand::Detail;
-use workspace::nearest;
+use packages::nearest;
 
 pub(in super::super) static RULE: Rule = Rule::found(
     "XAC008",

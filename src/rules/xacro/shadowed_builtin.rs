@@ -4,7 +4,7 @@ use super::source;
 use expand::{Expansion, FileRange, Problem};
 use expr::{Value, global_symbol};
 use model::decimal;
-use workspace::RosVersion;
+use packages::RosVersion;
 use xml::Node;
 
 pub(in super::super) static RULE: Rule = Rule::found(

@@ -6,7 +6,7 @@ use super::super::xml::seen::CheckedElement;
 use base::FastSet;
 use expand::{Expansion, Origin, XId, XKind};
 use model::AttrValue;
-use workspace::edit_distance;
+use packages::edit_distance;
 use xml::Node;
 
 /// All elements of a robot, or of what a library gives by itself, except what stands inside of unknown

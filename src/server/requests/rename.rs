@@ -22,8 +22,8 @@ use base::limits::{QUICK_PROOF_EXPANSIONS, RENAME_ROBOTS};
 use base::{CancelFlag, Span, TextRange};
 use expand::SymbolKind;
 use ide::{self, Cx, TextNames};
+use packages::is_built;
 use workspace::config::{argument_places, files_named};
-use workspace::is_built;
 
 pub fn prepare_rename(
     state: &mut ServerState,

@@ -61,7 +61,7 @@ fn packages(state: &ServerState, query: &str) -> Vec<(u32, SymbolInformation)> {
         .all(&first.join("package.xml"))
         .into_iter();
     let own = entries.filter(|entry| folders.iter().any(|folder| entry.path.starts_with(folder)));
-    let symbol = |entry: workspace::PackageEntry| {
+    let symbol = |entry: packages::PackageEntry| {
         let cost = ide::fit(query, &entry.name)?;
         let uri = state.uri(&entry.path.join("package.xml"))?;
         let symbol = SymbolInformation {

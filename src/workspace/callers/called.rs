@@ -9,10 +9,10 @@ use base::limits::{CALLER_CALLS, LAUNCH_INCLUDES};
 use super::choices::{Excluded, excluded};
 use super::uses::{Uses, search};
 use super::{Callers, GivenArg};
-use crate::Packages;
 use crate::launch::{
     self, LaunchCall, LaunchContext, LaunchFile, calls_in, forget_defaults, included,
 };
+use packages::Packages;
 use std::sync::Arc;
 
 /// A call, and the description that it names.
@@ -50,7 +50,7 @@ impl Callers {
     pub(super) fn called_below(&self, top: &Path, packages: &Packages) -> Arc<LaunchCalls> {
         let uses = self
             .below
-            .get(top.to_owned(), || Arc::new(search(&packages.vfs, top)));
+            .get(top.to_owned(), || Arc::new(search(packages.vfs(), top)));
         self.called
             .get(top.to_owned(), || Arc::new(all(&uses, packages)))
     }
@@ -76,7 +76,7 @@ impl Callers {
 
 /// The calls of all launch files, and of those again that others include with further arguments.
 fn all(uses: &Uses, packages: &Packages) -> LaunchCalls {
-    let read = |path: &PathBuf| launch::read(path, &packages.vfs.text(path).ok()?.text);
+    let read = |path: &PathBuf| launch::read(path, &packages.vfs().text(path).ok()?.text);
     let files: Vec<LaunchFile> = uses.scripts.iter().filter_map(read).collect();
     let by_path: FastMap<&Path, &LaunchFile> = files
         .iter()
@@ -162,7 +162,7 @@ pub(super) fn target(call: &LaunchCall, packages: &Packages) -> Option<PathBuf> 
     let path = call.file.path(packages, &call.caller)?;
     match packages
         .built(&path)
-        .filter(|_| !packages.vfs.exists(&path))
+        .filter(|_| !packages.vfs().exists(&path))
     {
         Some(built) if built.is_template => None,
         Some(built) => Some(built.path),
@@ -173,7 +173,7 @@ pub(super) fn target(call: &LaunchCall, packages: &Packages) -> Option<PathBuf> 
 #[cfg(test)]
 mod tests {
     use super::Callers;
-    use crate::{PackageOptions, Packages};
+    use packages::{PackageOptions, Packages};
     use vfs::testing::Tree;
 
     const INNER: &str = "DeclareLaunchArgument('side', default_value='left')\n\

@@ -4,8 +4,9 @@ use std::path::{Path, PathBuf};
 
 use super::era::Era;
 use super::file_names::{self, name_of};
-use crate::Packages;
+use super::meant::may_mean;
 use base::FastMap;
+use packages::Packages;
 
 /// A file that names descriptions.
 #[derive(Clone, Debug)]
@@ -115,7 +116,7 @@ impl Caller {
     /// Whether it loads robots and may mean `file`: a launch file, or a program or build file of the same package, since programs
     /// elsewhere pick one of many.
     pub(super) fn may_load(&self, file: &Path, packages: &Packages) -> bool {
-        self.is_launch() && packages.may_mean(&self.path, file)
+        self.is_launch() && may_mean(&self.path, file, packages)
             || (self.is_program() || self.path.ends_with("CMakeLists.txt"))
                 && packages
                     .containing(file)

@@ -7,11 +7,11 @@ use base::{FastMap, TextRange};
 
 use super::Callers;
 use super::called::target;
-use crate::Packages;
 use crate::config::Axes;
 use crate::launch::{
     self, CommandWord, LaunchCall, LaunchContext, LaunchFile, calls_in, values_given,
 };
+use packages::Packages;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -45,7 +45,7 @@ impl Callers {
                 launch_files.push(call.call.caller.clone());
             }
         }
-        let read = |path: &PathBuf| launch::read(path, &packages.vfs.text(path).ok()?.text);
+        let read = |path: &PathBuf| launch::read(path, &packages.vfs().text(path).ok()?.text);
         for launch_file in launch_files.iter().filter_map(read) {
             let mut calls = 0;
             for declared in &launch_file.declared {

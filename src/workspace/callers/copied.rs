@@ -4,10 +4,10 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::Callers;
+use super::meant::may_mean;
 use super::uses::Uses;
-use crate::Packages;
-use crate::manifest::MANIFEST;
 use base::FastSet;
+use packages::{MANIFEST, Packages};
 use vfs::Vfs;
 
 /// Files and folders at the top of a repository that mean something only there.
@@ -143,7 +143,7 @@ impl Callers {
         };
         let mut named = mentions
             .of(file)
-            .filter(|by| packages.may_mean(by, file))
+            .filter(|by| may_mean(by, file, packages))
             .peekable();
         let is_included = |by: &PathBuf| !is_test(by);
         named.peek().is_some() && named.all(is_test) && !includers(file).iter().any(is_included)
@@ -177,7 +177,7 @@ impl Callers {
             .chain(computing.map(|caller| &*caller.path));
         Some(
             users
-                .filter(|user| packages.may_mean(user, file))
+                .filter(|user| may_mean(user, file, packages))
                 .map(Path::to_owned)
                 .collect(),
         )
@@ -225,11 +225,11 @@ fn copied_below(
     uses: impl FnOnce() -> Option<Arc<Uses>>,
 ) -> CopiedFolders {
     let member = |(name, folder): (String, PathBuf)| {
-        let manifest = packages.vfs.text(&folder.join(MANIFEST));
+        let manifest = packages.vfs().text(&folder.join(MANIFEST));
         let manifest = manifest.as_ref().map_or("", |file| &*file.text);
         PackageIdentity {
             name,
-            copied: copied_with(top, &folder, &packages.vfs),
+            copied: copied_with(top, &folder, packages.vfs()),
             folder,
             is_draft: DRAFTS.iter().any(|draft| manifest.contains(draft)),
             people: people(manifest),
@@ -252,13 +252,13 @@ fn copied_below(
     }
     let has_drafts = members.iter().any(PackageIdentity::is_own_draft);
     // a repository that is published as a whole may hold what is released, and what is not yet
-    let is_published = !has_drafts && has_mark(&packages.vfs, top);
+    let is_published = !has_drafts && has_mark(packages.vfs(), top);
     let copied = members.iter().filter_map(|one| one.copied.clone());
     let mut folders: Vec<PathBuf> = copied
         .filter(|folder| {
             !is_published
                 || !members.iter().any(|one| one.folder == *folder)
-                || has_mark(&packages.vfs, folder)
+                || has_mark(packages.vfs(), folder)
         })
         .collect();
     folders.sort();

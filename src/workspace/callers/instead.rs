@@ -5,9 +5,10 @@ use std::sync::Arc;
 
 use super::Callers;
 use super::caller::Caller;
+use super::meant::may_mean;
 use super::uses::Uses;
-use crate::Packages;
 use base::FastSet;
+use packages::Packages;
 
 impl Callers {
     /// Whether launch files load the description `file` to show it in RViz and for nothing else, while others simulate or plan
@@ -81,7 +82,7 @@ impl Callers {
         let may_mean = |caller: &Caller| {
             all.names(caller, file, packages, false) && !caller.is_trial()
                 || caller.ends(file)
-                || caller.is_open && packages.may_mean(&caller.path, file)
+                || caller.is_open && may_mean(&caller.path, file, packages)
         };
         // without launch files, programs load robots
         !all.callers.iter().any(may_mean)

@@ -7,7 +7,7 @@ use super::caller::Caller;
 use super::era::Era;
 use super::file_names::name_of;
 use super::read;
-use crate::Packages;
+use packages::Packages;
 
 impl Callers {
     /// Whether a file names the description `file`.

@@ -8,8 +8,8 @@ use super::read::{self, has_any};
 use super::uses::Uses;
 use super::walk::walk;
 use super::{Callers, purpose};
-use crate::Packages;
 use base::{FastMap, FastSet};
+use packages::Packages;
 
 /// Distributions whose xacro takes tags without their prefix, by the first part of their name.
 const OLD: [&str; 8] = [
@@ -135,10 +135,10 @@ impl TextMentions {
             .into_iter()
             .map(|(name, _)| name)
             .collect();
-        found.is_whole = walk(&packages.vfs, top, &mut |path, name, is_small| {
+        found.is_whole = walk(packages.vfs(), top, &mut |path, name, is_small| {
             let is_read =
                 (file_names::is_description(name) || file_names::may_call(name)) && is_small();
-            if let Some(text) = is_read.then(|| packages.vfs.text(path).ok()).flatten() {
+            if let Some(text) = is_read.then(|| packages.vfs().text(path).ok()).flatten() {
                 found.add_generation(path, &text.text);
                 found.add(path, &read::without_comments(name, &text.text), &names);
             }
@@ -280,7 +280,7 @@ fn is_run_in_old(file: &Path, packages: &Packages) -> bool {
         .skip(1)
         .take_while(|folder| folder.starts_with(&top))
         .map(|folder| folder.join("Dockerfile"));
-    let nearest = paths.find(|path| packages.vfs.is_file(path));
+    let nearest = paths.find(|path| packages.vfs().is_file(path));
     nearest.is_some_and(|path| packages.is_text(&path, installs_old))
 }
 
@@ -290,11 +290,11 @@ fn is_installed_for_old(file: &Path, packages: &Packages) -> bool {
     let Some(top) = packages.sources_around(file) else {
         return false;
     };
-    let names = packages.vfs.list_dir(&top);
+    let names = packages.vfs().list_dir(&top);
     let mut texts = names
         .iter()
         .filter(|entry| entry.name.starts_with("README") || entry.name.ends_with(".sh"))
-        .filter_map(|entry| packages.vfs.text(&top.join(&entry.name)).ok())
+        .filter_map(|entry| packages.vfs().text(&top.join(&entry.name)).ok())
         .filter(|file| installs(&file.text, &OLD) || installs(&file.text, &NEW))
         .peekable();
     texts.peek().is_some() && texts.all(|file| installs_old(&file.text))
@@ -320,7 +320,7 @@ fn is_edited_for_old(file: &Path, packages: &Packages) -> bool {
     let Some(folder) = packages.sources_around(file).map(|top| top.join(".vscode")) else {
         return false;
     };
-    packages.vfs.list_dir(&folder).iter().any(|entry| {
+    packages.vfs().list_dir(&folder).iter().any(|entry| {
         entry.name.ends_with(".json")
             && packages.is_text(&folder.join(&entry.name), |text| {
                 OLD.iter()

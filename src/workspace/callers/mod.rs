@@ -12,11 +12,11 @@ mod era;
 mod file_names;
 mod instead;
 mod loaded;
+mod meant;
 mod mentions;
 mod programs;
 mod purpose;
 mod read;
-mod sources;
 mod uses;
 mod walk;
 
@@ -24,14 +24,15 @@ pub use called::RobotCall;
 pub use caller::{Caller, GivenArg};
 pub use choices::Excluded;
 pub use era::Era;
+pub use programs::downloads_data;
 pub use read::{has_name, without_comments};
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::Packages;
-use super::cache::AnswerCache;
 use file_names::name_of;
+use meant::may_mean;
+use packages::{AnswerCache, Packages};
 use uses::{Uses, search};
 
 /// The callers below some folders, found when somebody asks for them.
@@ -62,7 +63,7 @@ impl Callers {
         };
         let computed = all.callers.iter().filter(may_name);
         let may_mean =
-            |caller: &&Caller| caller.computes_the_file() || packages.may_mean(&caller.path, file);
+            |caller: &&Caller| caller.computes_the_file() || may_mean(&caller.path, file, packages);
         named.chain(computed).filter(may_mean).cloned().collect()
     }
 
@@ -71,7 +72,7 @@ impl Callers {
         let top = packages.sources_around(file)?;
         Some(
             self.below
-                .get(top.clone(), || Arc::new(search(&packages.vfs, &top))),
+                .get(top.clone(), || Arc::new(search(packages.vfs(), &top))),
         )
     }
 

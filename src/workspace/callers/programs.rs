@@ -7,7 +7,7 @@ use super::caller::Caller;
 use super::file_names::{self, name_of};
 use super::read::{self, has_any};
 use super::walk::walk;
-use crate::Packages;
+use packages::Packages;
 
 /// Words of programs that download something.
 const DOWNLOADS: [&str; 7] = [
@@ -93,25 +93,27 @@ impl Callers {
     }
 }
 
-impl Packages {
-    /// Whether a program or build file of the package around a file downloads an archive.
-    pub fn downloads_data(&self, file: &Path) -> bool {
-        let Some(package) = self.containing(file) else {
-            return false;
-        };
-        let mut found = false;
-        walk(&self.vfs, &package.folder, &mut |path, name, is_small| {
+/// Whether a program or build file of the package around a file downloads an archive.
+pub fn downloads_data(packages: &Packages, file: &Path) -> bool {
+    let Some(package) = packages.containing(file) else {
+        return false;
+    };
+    let mut found = false;
+    walk(
+        packages.vfs(),
+        &package.folder,
+        &mut |path, name, is_small| {
             let may_run =
                 !name.contains('.') || name == "CMakeLists.txt" || file_names::is_program(path);
             if found || !may_run || !is_small() {
                 return;
             }
-            found = self.is_text(path, |text| {
+            found = packages.is_text(path, |text| {
                 has_any(text, &DOWNLOADS) && has_any(text, &ARCHIVES)
             });
-        });
-        found
-    }
+        },
+    );
+    found
 }
 
 /// Whether a line of a page runs xacro, which is also how the names of its files end.

@@ -7,7 +7,7 @@ use super::Callers;
 use super::caller::Caller;
 use super::read::has_any;
 use super::uses::Uses;
-use crate::Packages;
+use packages::Packages;
 
 /// Words in launch files and programs that run something that needs masses: simulators, and libraries for dynamics.
 const WEIGHS: [&str; 21] = [
@@ -220,7 +220,7 @@ impl Callers {
         };
         let inside = file.strip_prefix(&own.folder).unwrap_or(file);
         let is_twin = |(name, folder): &(String, PathBuf)| {
-            *name != own.name && packages.vfs.is_file(&folder.join(inside))
+            *name != own.name && packages.vfs().is_file(&folder.join(inside))
         };
         let mut twins = packages.below(&top);
         twins.retain(is_twin);

@@ -1,7 +1,7 @@
 //! Callers of robots, and what they give.
 
 use super::Callers;
-use crate::{PackageOptions, Packages};
+use packages::{PackageOptions, Packages};
 use vfs::testing::Tree;
 
 #[test]

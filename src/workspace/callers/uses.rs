@@ -5,11 +5,13 @@ use std::sync::Arc;
 
 use super::caller::{Caller, NamePrefix};
 use super::file_names::{self, name_of};
+use super::meant::may_mean;
 use super::walk::walk;
 use super::{config, read};
-use crate::{Packages, launch};
+use crate::launch;
 use base::FastMap;
 use base::limits::CALLER_FILES;
+use packages::Packages;
 use vfs::Vfs;
 
 /// Who calls descriptions below a folder, and the descriptions there, by name.
@@ -46,7 +48,7 @@ impl Uses {
             said.is_none_or(|said| own().is_none_or(|own| own == *said))
         };
         let namesakes = self.files.get(name).into_iter().flatten();
-        let may_mean = |other: &&PathBuf| !is_near || packages.may_mean(&caller.path, other);
+        let may_mean = |other: &&PathBuf| !is_near || may_mean(&caller.path, other, packages);
         let others: Vec<&PathBuf> = namesakes
             .filter(|other| *other != file)
             .filter(may_mean)

@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use crate::root::{is_built, is_cache};
 use base::FastSet;
 use base::limits::{CALLER_BYTES, CALLER_DEPTH, CALLER_FOLDERS};
+use packages::{is_built, is_cache};
 use vfs::Vfs;
 
 /// Takes the path of a file, its name, and whether it is small enough to be read.

@@ -9,8 +9,8 @@ use super::keys::ConfigKey;
 use super::settings::ConfigTable;
 use super::value::{ConfigEntry, ConfigValue, ValueKind};
 use super::{Config, ConfigLocation, ConfigMention, ConfigMentionKind, ConfigWarning};
-use crate::nearest;
 use base::{TextRange, count_line_ends, last_line_start};
+use packages::nearest;
 
 /// Applies the entries of one file.
 pub(super) struct Applier {

@@ -1,7 +1,7 @@
 //! Settings that are one of a few words.
 
-use super::super::packages::RosVersion;
 use base::Severity;
+use packages::RosVersion;
 
 /// A setting that is one of a few words.
 pub(super) trait Choice: Copy + PartialEq + 'static {

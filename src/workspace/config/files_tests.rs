@@ -3,8 +3,8 @@
 use super::settings::ConfigTable;
 use super::tests::load;
 use super::{Config, LoadedConfig, RuleLevel, find_config, schema};
-use crate::RosVersion;
 use base::Severity;
+use packages::RosVersion;
 use vfs::testing::Tree;
 
 #[test]

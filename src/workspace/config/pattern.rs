@@ -3,9 +3,9 @@
 use std::borrow::Cow;
 use std::path::{Component, Path, PathBuf};
 
-use super::super::root::is_built;
 use base::limits::{GLOB_ALTERNATIVES, GLOB_FOLDERS};
 use base::paths::HERE;
+use packages::is_built;
 use vfs::{Vfs, Wildcard, covers, has_magic};
 
 /// A glob: `*`, `?`, `[...]` inside a name, `**` for any number of folders, `{a,b}` for alternatives. One

@@ -3,10 +3,10 @@
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
+use std::time::Duration;
 
 use serde_json::Value as Json;
 
-use super::super::packages::RosVersion;
 use super::ConfigMention;
 use super::apply::Applier;
 use super::choice::{AttributeLayout, Choice, Profile, RuleLevel};
@@ -18,8 +18,9 @@ use super::merge::{
 use super::pattern::Pattern;
 use super::roots::Root;
 use super::value::ConfigEntry;
-use base::limits;
-use base::limits::FILE_MB_MOST;
+use base::ExpansionLimits;
+use base::limits::{self, FILE_MB_MOST};
+use packages::RosVersion;
 
 /// A table of settings.
 pub(super) trait ConfigTable: Sized {
@@ -198,6 +199,18 @@ settings! {
 }
 
 impl Limits {
+    /// The budgets of one expansion.
+    pub fn expansion(&self) -> ExpansionLimits {
+        ExpansionLimits {
+            eval_steps: self.eval_steps,
+            expand_nodes: self.expand_nodes,
+            expand_time: Duration::from_millis(self.expand_ms),
+            macro_depth: self.macro_depth,
+            include_depth: self.include_depth,
+            ..ExpansionLimits::default()
+        }
+    }
+
     /// The size limit of files in bytes.
     pub fn file_bytes(&self) -> u64 {
         self.file_mb.saturating_mul(1_000_000)

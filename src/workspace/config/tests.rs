@@ -1,8 +1,8 @@
 use std::path::PathBuf;
 
 use super::{AttributeLayout, Config, ConfigMentionKind, Limits, LoadedConfig, Profile, RuleLevel};
-use crate::RosVersion;
 use base::Severity;
+use packages::RosVersion;
 use vfs::testing::Tree;
 
 /// The configuration of `text`, and its warnings without the folder.

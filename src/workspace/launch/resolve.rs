@@ -8,7 +8,7 @@ use base::{FastMap, TextRange};
 use super::command::{self, ParsedCommand};
 use super::text::{Text, TextPiece};
 use super::{CommandForm, DeclaredArgument, LaunchCommand, LaunchFile, LaunchInclude};
-use crate::Packages;
+use packages::Packages;
 
 /// Defaults inside of defaults that are followed.
 const MOST_DEFAULTS: usize = 8;

@@ -6,10 +6,11 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use xacro_lsp::analysis::{CheckOptions, FixOptions, Session, Setup};
-use xacro_lsp::expand::{ExpansionLimits, Request, Sources, expand, write_mapped};
+use xacro_lsp::base::ExpansionLimits;
+use xacro_lsp::expand::{Request, Sources, expand, write_mapped};
+use xacro_lsp::packages::Packages;
 use xacro_lsp::rules::{Safety, Severity};
 use xacro_lsp::vfs::{Environment, Vfs};
-use xacro_lsp::workspace::Packages;
 use xacro_lsp::xml::Document;
 
 use super::choice_and_text;

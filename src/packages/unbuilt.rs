@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use super::manifest::{MANIFEST, package_name};
+use super::root::is_built;
 use super::{Package, Packages, RosVersion};
 use vfs::DirEntry;
 
@@ -26,6 +27,16 @@ impl Packages {
             self.unbuilt
                 .get(package.folder.clone(), || self.is_left_out(&package, file))
         })
+    }
+
+    /// Whether a file lies in what a build installed, and the build tool says so: what is missing there was not installed yet.
+    pub fn is_in_a_build(&self, file: &Path) -> bool {
+        let is_one = |folder: &Path| {
+            let mut marks = COLCON_MARKS.iter().chain([&CATKIN_MARK]);
+            folder.file_name().is_some_and(is_built)
+                && marks.any(|mark| self.vfs.is_file(&folder.join(mark)))
+        };
+        file.ancestors().skip(1).any(is_one)
     }
 
     fn is_left_out(&self, package: &Package, file: &Path) -> bool {

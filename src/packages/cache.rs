@@ -7,7 +7,7 @@ use base::FastMap;
 
 /// Answers by question. Threads that ask the same at the same time share one search; the lock is not
 /// held while searching.
-pub(super) struct AnswerCache<K, V>(Mutex<FastMap<K, Arc<OnceLock<V>>>>);
+pub struct AnswerCache<K, V>(Mutex<FastMap<K, Arc<OnceLock<V>>>>);
 
 impl<K, V> Default for AnswerCache<K, V> {
     fn default() -> Self {
@@ -17,7 +17,7 @@ impl<K, V> Default for AnswerCache<K, V> {
 
 impl<K: Eq + Hash, V: Clone> AnswerCache<K, V> {
     /// The answer to `key`; `make` runs the first time.
-    pub(super) fn get(&self, key: K, make: impl FnOnce() -> V) -> V {
+    pub fn get(&self, key: K, make: impl FnOnce() -> V) -> V {
         let cell = self
             .0
             .lock()
@@ -29,7 +29,7 @@ impl<K: Eq + Hash, V: Clone> AnswerCache<K, V> {
     }
 
     /// Forget everything.
-    pub(super) fn clear(&self) {
+    pub fn clear(&self) {
         self.0
             .lock()
             .unwrap_or_else(PoisonError::into_inner)

@@ -1,5 +1,6 @@
 //! Package look-up: the one answer to `$(find pkg)`, `package://` and `model://`.
 
+use std::any::{Any, TypeId};
 use std::borrow::Cow;
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
@@ -7,7 +8,6 @@ use std::sync::Arc;
 use super::cache::AnswerCache;
 use super::hardware::HardwareSources;
 use super::install::Build;
-use super::left_out::GitRules;
 use super::manifest::{MANIFEST, is_package_name, package_name};
 use super::package_sources::{
     InstallLayout, PackageSource, Prefix, distributions, overlays, own_prefixes,
@@ -46,6 +46,8 @@ pub struct PackageOptions {
     pub target: RosVersion,
     /// Where distributions are installed.
     pub system: PathBuf,
+    /// Whether Git leaves a file out, as a layer knows that reads the rules of Git.
+    pub ignored_by_git: fn(&Packages, &Path) -> bool,
 }
 
 impl Default for PackageOptions {
@@ -58,6 +60,7 @@ impl Default for PackageOptions {
             environment_first: false,
             target: RosVersion::default(),
             system: PathBuf::from("/opt/ros"),
+            ignored_by_git: |_, _| false,
         }
     }
 }
@@ -133,12 +136,12 @@ pub struct Packages {
     pub(super) builds: AnswerCache<PathBuf, Arc<Build>>,
     /// What the sources in C++ say about hardware, by folder.
     pub(super) hardware: AnswerCache<PathBuf, Arc<HardwareSources>>,
-    /// What Git says about files, by folder.
-    pub(super) git_rules: AnswerCache<PathBuf, Arc<GitRules>>,
     /// Names of packages without a manifest, by folder.
     pub(super) unlisted: AnswerCache<PathBuf, Option<String>>,
     /// Whether the build tools pass over a package, by folder.
     pub(super) unbuilt: AnswerCache<PathBuf, bool>,
+    /// What other layers read off folders, by its type.
+    others: AnswerCache<(TypeId, PathBuf), Arc<dyn Any + Send + Sync>>,
 }
 
 impl Packages {
@@ -156,8 +159,8 @@ impl Packages {
             indexes: AnswerCache::default(),
             builds: AnswerCache::default(),
             hardware: AnswerCache::default(),
-            git_rules: AnswerCache::default(),
             unlisted: AnswerCache::default(),
+            others: AnswerCache::default(),
         }
     }
 
@@ -344,6 +347,23 @@ impl Packages {
         Some((owner, folder))
     }
 
+    /// Whether Git leaves a file out: it may be there on another computer.
+    pub fn is_ignored_by_git(&self, file: &Path) -> bool {
+        (self.options.ignored_by_git)(self, file)
+    }
+
+    /// The files that are searched.
+    pub fn vfs(&self) -> &Vfs {
+        &self.vfs
+    }
+
+    /// What another layer reads off a folder, until [`Packages::forget`].
+    pub fn of_folder<T: Any + Send + Sync>(&self, folder: &Path, read: impl Fn() -> T) -> Arc<T> {
+        let key = (TypeId::of::<T>(), folder.to_owned());
+        let known = self.others.get(key, || Arc::new(read()));
+        known.downcast().unwrap_or_else(|_| Arc::new(read()))
+    }
+
     /// Forget what was searched: manifests or folders have come, gone or changed.
     pub fn forget(&self) {
         self.trees.clear();
@@ -354,12 +374,12 @@ impl Packages {
         self.indexes.clear();
         self.builds.clear();
         self.hardware.clear();
-        self.git_rules.clear();
+        self.others.clear();
         self.unlisted.clear();
     }
 
     /// Names and folders of the packages below a folder of sources.
-    pub(super) fn below(&self, top: &Path) -> Vec<(String, PathBuf)> {
+    pub fn below(&self, top: &Path) -> Vec<(String, PathBuf)> {
         self.tree(top, Rules::Workspace).packages().to_vec()
     }
 

@@ -23,7 +23,7 @@ pub fn is_built(name: impl AsRef<OsStr>) -> bool {
 }
 
 /// Whether a folder says that a tool made it and can make it again, by the tag of <https://bford.info/cachedir/>.
-pub(super) fn is_cache(names: &[DirEntry]) -> bool {
+pub fn is_cache(names: &[DirEntry]) -> bool {
     names.iter().any(|entry| entry.name == "CACHEDIR.TAG")
 }
 

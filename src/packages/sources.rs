@@ -1,25 +1,11 @@
-//! The sources around a file, and which texts there may mean it.
+//! The sources around a file.
 
 use std::path::{Path, PathBuf};
 
-use super::read;
-use crate::Packages;
+use super::Packages;
 use vfs::without_parents;
 
 impl Packages {
-    /// Whether a text that names a description by its file name may mean `file`, not one of the same name elsewhere: it
-    /// is in the same package or names it; without a package, it is in the folder above or below that.
-    pub(super) fn may_mean(&self, caller: &Path, file: &Path) -> bool {
-        let Some(package) = self.containing(file) else {
-            let near = file
-                .parent()
-                .map(|folder| folder.parent().unwrap_or(folder));
-            return near.is_some_and(|near| caller.starts_with(near));
-        };
-        caller.starts_with(&package.folder)
-            || self.is_text(caller, |text| read::has_name(text, &package.name))
-    }
-
     /// The widest folder of sources around a file: the folder that is checked, or the workspace above, else the package,
     /// else the folder of the file.
     pub fn sources_around(&self, file: &Path) -> Option<PathBuf> {
@@ -36,7 +22,7 @@ impl Packages {
     }
 
     /// Whether a file can be read, and its text is like this.
-    pub(super) fn is_text(&self, path: &Path, is_wanted: impl FnOnce(&str) -> bool) -> bool {
+    pub fn is_text(&self, path: &Path, is_wanted: impl FnOnce(&str) -> bool) -> bool {
         self.vfs.text(path).is_ok_and(|file| is_wanted(&file.text))
     }
 }

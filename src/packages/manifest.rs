@@ -2,13 +2,11 @@
 
 use std::path::Path;
 
-use roxmltree::{Document, ParsingOptions};
-
-use base::limits::MANIFEST_NODES;
 use vfs::Vfs;
+use xml::{Document, NodeKind};
 
 /// File that makes a folder a package.
-pub(super) const MANIFEST: &str = "package.xml";
+pub const MANIFEST: &str = "package.xml";
 
 /// The `<name>` of the package whose folder is `folder`; `None` when it holds no usable `package.xml`.
 pub(super) fn package_name(vfs: &Vfs, folder: &Path) -> Option<String> {
@@ -18,22 +16,26 @@ pub(super) fn package_name(vfs: &Vfs, folder: &Path) -> Option<String> {
 
 /// The name a manifest declares. One that is not well-formed is searched for the first `<name>`.
 pub(super) fn name_in(text: &str) -> Option<String> {
-    let options = ParsingOptions {
-        allow_dtd: true,
-        nodes_limit: MANIFEST_NODES,
-        ..ParsingOptions::default()
-    };
-    let name = match Document::parse_with_options(text, options) {
-        Ok(document) => {
-            let root = document.root_element();
-            let name = root.children().find(|child| child.has_tag_name("name"))?;
-            root.has_tag_name("package")
-                .then(|| name.text().unwrap_or_default().to_owned())?
-        }
-        Err(_) => first_name(text)?.to_owned(),
+    let document = Document::parse(text);
+    let name = if document.errors().is_empty() {
+        declared_name(&document)?
+    } else {
+        first_name(text)?.to_owned()
     };
     let name = name.trim();
     is_package_name(name).then(|| name.to_owned())
+}
+
+/// The text of the first `<name>` of a package, as far as the next markup.
+fn declared_name(document: &Document) -> Option<String> {
+    document
+        .root()
+        .filter(|root| root.local_name() == "package")?;
+    let mut elements = document.items().filter_map(|(_, item)| item.element());
+    let name = elements.find(|element| element.local_name() == "name")?;
+    let is_text = |kind| matches!(kind, NodeKind::Text | NodeKind::CData);
+    let texts = name.children().take_while(|node| is_text(node.kind()));
+    Some(texts.map(|node| node.text(document.entities())).collect())
 }
 
 fn first_name(text: &str) -> Option<&str> {
@@ -78,6 +80,15 @@ mod tests {
             ),
             ("<package><name>a & b</name></package>", Some("a & b")),
             ("<package><name>half", Some("half")),
+            (
+                "<!DOCTYPE package [<!ENTITY x 'b'>]><package><name>a&x;<![CDATA[c]]><!-- d -->e</name></package>",
+                Some("abc"),
+            ),
+            ("<package><name><!-- a -->b</name></package>", None),
+            (
+                "<p:package xmlns:p='p'><p:name>a</p:name></p:package>",
+                Some("a"),
+            ),
             ("<package><name/></package>", None),
             ("<package/>", None),
             ("<stack><name>a</name></stack>", None),
