@@ -3,7 +3,7 @@ use super::super::context::DocumentCx;
 use super::super::geometry::is_scaled_wrong;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::joined::shape;
+use super::joined::{is_in_world, shape};
 use super::moments::{inertia_tag, inertials, short};
 use model::{Inertial, Link};
 
@@ -34,7 +34,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let Some((a, b)) = swapped(found, expected) else {
             continue;
         };
-        if is_scaled_wrong(cx, link) {
+        if is_scaled_wrong(cx, link) || is_in_world(cx, link) {
             continue;
         }
         let [first, second] = [a, b].map(|i| NAMES.get(i).copied().unwrap_or_default());
