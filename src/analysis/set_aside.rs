@@ -14,13 +14,14 @@ use vfs::SourceFile;
 use workspace::{Caller, Era};
 
 /// Words in the name of a file or folder that say that it is kept and not used.
-const KEPT: [&str; 17] = [
+const KEPT: [&str; 18] = [
     "archive",
     "archived",
     "attic",
     "backup",
     "backups",
     "bak",
+    "copy",
     "deprecated",
     "legacy",
     "obsolete",
@@ -478,7 +479,7 @@ fn lower_all(results: &mut [RootResult], number: usize) {
 }
 
 /// The name of the file that xacro generated a file from.
-fn generated_from(file: &SourceFile) -> Option<String> {
+pub(super) fn generated_from(file: &SourceFile) -> Option<String> {
     let (source, _) = banner(file)?;
     Some(source.rsplit('/').next()?.to_owned())
 }

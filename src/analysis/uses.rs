@@ -1,8 +1,10 @@
 //! What is right, and of no account for those who use the file.
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 use super::check_task::CheckTask;
 use super::session::Session;
+use super::set_aside::generated_from;
 use expand::ProblemKind;
 use packages::RosVersion;
 use rules::{Finding, Rule, Severity, named};
@@ -79,11 +81,28 @@ impl Session {
                 .is_some_and(|manifest| manifest.is_ok_and(|file| file.text.contains("ament_")))
     }
 
-    /// Whether a launch file runs xacro on a file, whatever its ending is.
+    /// Whether a launch file runs xacro on a file, whatever its ending is, or somebody ran it and kept the result beside it.
     fn is_run_through_xacro(&self, file: &Path) -> bool {
-        self.calls_around(file)
+        let calls = self.calls_around(file);
+        calls
             .iter()
             .any(|call| call.target.as_deref() == Some(file))
+            || self.has_result_beside(file)
+    }
+
+    /// Whether a URDF in the same folder says that xacro made it of a file.
+    fn has_result_beside(&self, file: &Path) -> bool {
+        let folder = file.parent().unwrap_or(file);
+        let own = file.file_name().map(OsStr::to_string_lossy);
+        let is_made_of_it = |path: PathBuf| {
+            let source = self.vfs.document(&path).ok();
+            source.and_then(|source| generated_from(&source)).as_deref() == own.as_deref()
+        };
+        let entries = self.vfs.list_dir(folder);
+        entries
+            .iter()
+            .filter(|entry| !entry.is_dir && entry.name.ends_with(".urdf"))
+            .any(|entry| is_made_of_it(folder.join(&entry.name)))
     }
 
     /// Whether a file is one that the setup assistant of MoveIt wrote around a description.

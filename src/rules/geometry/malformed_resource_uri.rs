@@ -95,7 +95,7 @@ fn severity(cx: &DocumentCx<'_>, readers: Readers) -> Severity {
         Readers::None => Severity::Error,
         Readers::Gazebo => Severity::Info,
         Readers::OldCurl if root.is_some_and(|root| is_of_ros1(cx, root)) => Severity::Info,
-        Readers::OldCurl | Readers::Most => Severity::Warning,
+        Readers::OldCurl => Severity::Warning,
     }
 }
 
@@ -221,7 +221,7 @@ mod tests {
             assert_eq!(meant(value).as_deref(), Some(expected), "{value}");
         }
         for (uri, expected) in [
-            ("file:///a/b c.stl", Readers::Most),
+            ("file:///a/b c.stl", Readers::OldCurl),
             ("package://a/b c.stl", Readers::OldCurl),
             ("http://x/b c.stl", Readers::Gazebo),
             ("model://x/b c.stl", Readers::None),

@@ -16,8 +16,6 @@ pub(super) enum Readers {
     OldCurl,
     /// Gazebo: models of its Fuel server have spaces in their addresses.
     Gazebo,
-    /// Most programs.
-    Most,
 }
 
 /// What is wrong with a URI or path.
@@ -50,7 +48,7 @@ pub(super) fn defect(value: &str) -> Option<UriDefect> {
             let drive = value.get(1..2) == Some(":") || value.starts_with("\\\\");
             found("path contains backslashes", (!drive).then_some(slashed))
         }
-        _ if file.is_some() && has_space(value) => spaces(Readers::Most),
+        _ if file.is_some() && has_space(value) => spaces(Readers::OldCurl),
         _ if is_of_web(value) && has_space(value) => spaces(Readers::Gazebo),
         _ if value.contains("://") && has_space(value) => spaces(Readers::None),
         _ if value.trim() != value => found(
