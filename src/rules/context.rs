@@ -35,7 +35,7 @@ pub struct FileCx<'a> {
     /// The file.
     pub source: &'a SourceFile,
     /// The macros that the files of the expansion define or call.
-    pub macros: &'a FastSet<String>,
+    pub macros: &'a FastSet<&'a str>,
     /// What lies around it.
     pub world: RuleEnv<'a>,
     /// The packages that it names, once a rule has asked.

@@ -231,22 +231,21 @@ pub fn check_files(expansion: &Expansion, world: RuleEnv<'_>, chosen: Chosen<'_>
 
 /// The macros that the files of an expansion define somewhere, and those that they call: the file that defines them may
 /// be missing.
-fn named_macros(expansion: &Expansion) -> FastSet<String> {
+fn named_macros(expansion: &Expansion) -> FastSet<&str> {
     let items = expansion
         .files
         .iter()
         .flat_map(|file| file.source.document.parts());
     let tags = items.flat_map(|(_, item)| item.all_nodes());
-    let name = |node: Node<'_>| match node.name().strip_prefix("xacro:")? {
-        "macro" => Some(
-            node.attr("name")?
-                .raw()
-                .trim_start_matches("xacro:")
-                .to_owned(),
-        ),
-        tag => (!is_keyword(tag)).then(|| tag.to_owned()),
-    };
-    tags.filter_map(name).collect()
+    tags.filter_map(macro_name).collect()
+}
+
+/// The macro that a tag defines or calls.
+fn macro_name(node: Node<'_>) -> Option<&str> {
+    match node.name().strip_prefix("xacro:")? {
+        "macro" => Some(node.attr("name")?.raw().trim_start_matches("xacro:")),
+        tag => (!is_keyword(tag)).then_some(tag),
+    }
 }
 
 impl Chosen<'_> {
