@@ -179,7 +179,7 @@ def show(terminal: Terminal) -> str:
     terminal.wait("the expanded text", "<robot name=")
     terminal.text(':%s/number="3" parent="link_2"/number="3" parent="lnk_2"/')
     terminal.keys("Enter")
-    terminal.wait("the finding", "names parent link")
+    terminal.wait("the finding", "undefined-link")
     terminal.text('/number="3"')
     terminal.keys("Enter")
     terminal.text("zz0f:l")
