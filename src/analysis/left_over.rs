@@ -30,7 +30,7 @@ impl Session {
     }
 
     /// Whether a program that builds the configuration of MoveIt reads a file without its name.
-    fn is_built_for_moveit(&self, file: &Path, package: &Path) -> bool {
+    pub(super) fn is_built_for_moveit(&self, file: &Path, package: &Path) -> bool {
         self.extended(package).as_deref() == Some(file) && self.has_moveit_builder(file)
     }
 

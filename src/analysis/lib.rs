@@ -73,6 +73,8 @@ mod made_elsewhere_tests;
 #[cfg(test)]
 mod package_tests;
 #[cfg(test)]
+mod purpose_tests;
+#[cfg(test)]
 mod set_aside_tests;
 #[cfg(test)]
 mod unused_parts_tests;

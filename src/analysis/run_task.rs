@@ -155,7 +155,7 @@ pub(super) fn run_rules(
         },
         &mut findings,
     );
-    session.settle_set_aside(&task, robot, &mut findings);
+    session.settle_set_aside(&task, (expansion, robot), &mut findings);
     let is_meant = is_meant_as_robot(expansion, kind);
     RootResult {
         is_robot: kind == RootKind::Robot,

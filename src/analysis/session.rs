@@ -14,7 +14,7 @@ use packages::{PackageOptions, Packages};
 use rules::{Manifests, Rule, RuleEnv};
 use vfs::{Environment, LoadError, Vfs};
 use workspace::config::{self, Axes, Config, ConfigWarning};
-use workspace::{Caller, Callers, Era, Excluded, GivenArg, RobotCall, is_ignored_by_git};
+use workspace::{Caller, Callers, Era, Excluded, GivenArg, Purpose, RobotCall, is_ignored_by_git};
 
 /// Files, packages, environment and configuration.
 pub struct Session {
@@ -255,6 +255,16 @@ impl Session {
         self.callers.launch_any(file, &self.packages)
     }
 
+    /// Whether a launch file or program of the workspace around a file loads a description.
+    pub(super) fn is_beside_loaded(&self, file: &Path) -> bool {
+        self.callers.load_any(file, &self.packages)
+    }
+
+    /// Whether a launch file or program of the workspace around a file does more with a description than to show it.
+    pub(super) fn is_beside_moved(&self, file: &Path) -> bool {
+        self.callers.move_any(file, &self.packages)
+    }
+
     /// The names of the descriptions that launch files load instead of this one.
     pub(super) fn launched_instead(&self, file: &Path, may_be_given: bool) -> FastSet<String> {
         self.callers
@@ -321,34 +331,14 @@ impl Session {
         self.callers.never_simulate(file, &self.packages)
     }
 
+    /// What is done with a description, as far as texts name it.
+    pub(super) fn purpose_in_texts(&self, file: &Path) -> Option<Purpose> {
+        self.callers.purpose(file, &self.packages)
+    }
+
     /// Whether launch files and programs simulate what lies around a file, and no simulator refuses a tensor that no body has.
     pub(super) fn is_never_refused(&self, file: &Path) -> bool {
         self.callers.never_refuse(file, &self.packages)
-    }
-
-    /// Whether launch files and programs use what lies around a file, and none of them needs masses and inertia.
-    pub(super) fn is_never_weighed(&self, file: &Path) -> bool {
-        self.callers.never_weigh(file, &self.packages)
-    }
-
-    /// Whether nothing but programs loads a description, and none of them needs masses and inertia.
-    pub(super) fn is_loaded_without_masses(&self, file: &Path) -> bool {
-        self.callers.load_without_masses(file, &self.packages)
-    }
-
-    /// Whether nothing but programs loads a description, and none of them computes with triangles of collision meshes.
-    pub(super) fn is_loaded_without_triangles(&self, file: &Path) -> bool {
-        self.callers.load_without_triangles(file, &self.packages)
-    }
-
-    /// Whether launch files and programs use what lies around a file, and nothing there needs collisions.
-    pub(super) fn is_never_met(&self, file: &Path) -> bool {
-        self.callers.never_meet(file, &self.packages)
-    }
-
-    /// Whether the launch files of a description need no masses, while others simulate another one.
-    pub(super) fn is_handled_elsewhere(&self, file: &Path) -> bool {
-        self.callers.handle_only(file, &self.packages)
     }
 
     /// Whether launch files start the controllers of another description, and none names this one.

@@ -6,7 +6,7 @@ use super::drift::banner;
 use super::root_result::RootResult;
 use super::session::Session;
 use base::{FastMap, FastSet, FileId};
-use expand::ProblemKind;
+use expand::{Expansion, ProblemKind};
 use model::{Joint, Robot};
 use packages::RosVersion;
 use rules::{Category, Edit, Finding, Group, Severity, Trait, named};
@@ -59,7 +59,7 @@ impl Session {
     pub(super) fn settle_set_aside(
         &self,
         task: &CheckTask,
-        robot: Option<&Robot>,
+        (expansion, robot): (&Expansion, Option<&Robot>),
         findings: &mut [Finding],
     ) {
         let is_news = |finding: &Finding| finding.severity > Severity::Info;
@@ -89,25 +89,10 @@ impl Session {
                 || self.is_for_kinematics(&task.file);
             is_idle.then_some(Severity::Info)
         });
-        let about_inertia = |finding: &Finding| {
-            finding.rule.category == Category::Inertia && !finding.rule.has(Trait::WrongSign)
-        };
-        self.lower_where(findings, about_inertia, || {
-            let is_idle = self.is_never_weighed(&task.file)
-                || self.is_handled_elsewhere(&task.file)
-                || self.is_loaded_without_masses(&task.file);
-            is_idle.then_some(Severity::Info)
-        });
         let is_impossible = |finding: &Finding| finding.rule == named::INERTIA_TRIANGLE_INEQUALITY;
         self.lower_where(findings, is_impossible, || {
             self.is_never_refused(&task.file)
                 .then_some(Severity::Warning)
-        });
-        let about_contact = |finding: &Finding| finding.rule.has(Trait::Contact);
-        self.lower_where(findings, about_contact, || {
-            let is_idle = self.is_loaded(&task.file) && self.is_never_met(&task.file)
-                || self.is_loaded_without_triangles(&task.file);
-            is_idle.then_some(Severity::Info)
         });
         // Bullet computes inertia from the shapes unless it is told otherwise
         let about_bullet = |finding: &Finding| {
@@ -167,6 +152,7 @@ impl Session {
         self.lower_where(findings, is_placeholder, || Some(Severity::Info));
         self.settle_made_elsewhere(task, findings);
         self.settle_by_use(task, findings);
+        self.settle_by_purpose(&task.file, &expansion.files, findings);
     }
 
     /// Whether a file is plain URDF and nothing that names it runs xacro.
@@ -258,13 +244,18 @@ impl Session {
 
     /// Whether a file is not in use, and only such files include it.
     pub(super) fn is_set_aside(&self, file: &Path) -> bool {
+        self.holds_above(file, |file| self.is_unnamed(file))
+    }
+
+    /// Whether something holds for a file, and for all that include it.
+    pub(super) fn holds_above(&self, file: &Path, holds: impl Fn(&Path) -> bool) -> bool {
         let mut open = vec![file.to_owned()];
         let mut seen: FastSet<PathBuf> = FastSet::default();
         while let Some(file) = open.pop() {
             if seen.contains(&file) {
                 continue;
             }
-            if !self.is_unnamed(&file) {
+            if !holds(&file) {
                 return false;
             }
             open.extend(self.includers(&file));

@@ -138,7 +138,7 @@ fn settings_in_copied_repositories() {
     let arm = "<robot name='arm'><link name='base'/><link name='tip'/><joint name='elbow' type='revolute'>\
                <parent link='base'/><child link='tip'/><axis xyz='0 0 1'/>\
                <limit lower='-1' upper='1' effort='1' velocity='2'/></joint></robot>";
-    let limits = "joint_limits:\n  elbow:\n    has_velocity_limits: true\n    max_velocity: 3.5\n";
+    let limits = "joint_limits:\n  elbows:\n    has_velocity_limits: true\n    max_velocity: 3.5\n";
     let of = |others: &[(&'static str, String)]| {
         let stack = "src/gripper_stack/arm_moveit_config";
         let mut files = workspace();
@@ -174,7 +174,12 @@ fn settings_in_copied_repositories() {
                     .map(|(name, text)| (name.as_str(), text.as_str())),
             )
             .collect();
-        severity_below("", &files, "joint_limits.yaml", "joint-limits-above-urdf")
+        severity_below(
+            "",
+            &files,
+            "joint_limits.yaml",
+            "joint-limits-unknown-joint",
+        )
     };
     assert_eq!(of(&[]), Some(Severity::Info));
     // another launch file of the repository starts it, and nothing here starts that one

@@ -5,11 +5,11 @@ use std::path::{Path, PathBuf};
 use super::check_task::CheckTask;
 use super::session::Session;
 use super::set_aside::generated_from;
-use expand::ProblemKind;
-use packages::RosVersion;
-use rules::{Finding, Rule, Severity, named};
+use base::IdVec;
+use expand::{FileIdx, FileUse, ProblemKind};
+use rules::{Category, Finding, Rule, Severity, Trait, named};
 use vfs::without_parents;
-use workspace::{RobotCall, is_ignored_by_git};
+use workspace::{Purpose, RobotCall, is_for_ament, is_ignored_by_git};
 
 impl Session {
     /// What breaks nothing for the launch files and programs that use a file is an info.
@@ -62,23 +62,81 @@ impl Session {
         self.lower_where(findings, is_unread, info);
     }
 
+    /// What matters only to simulators and planners is an info where none of them gets the robot, and so is a warning about a robot
+    /// that nothing loads while others are loaded. What loads one of the `parts` of a robot gets that part.
+    pub(super) fn settle_by_purpose(
+        &self,
+        file: &Path,
+        parts: &IdVec<FileIdx, FileUse>,
+        findings: &mut [Finding],
+    ) {
+        let is_news = |finding: &Finding| finding.severity > Severity::Info;
+        let is_warning = |finding: &Finding| finding.severity == Severity::Warning;
+        let is_about_use =
+            |finding: &Finding| is_news(finding) && is_without_effect(finding, Purpose::default());
+        // to read all texts takes longer than to ask those that name descriptions
+        let is_unnamed =
+            || self.is_beside_moved(file) && !self.is_loaded(file) && !self.is_named(file);
+        let may_be_unreached = findings.iter().any(is_warning) && is_unnamed();
+        if !may_be_unreached && !findings.iter().any(is_about_use) {
+            return;
+        }
+        let Some(own) = self.purpose(file) else {
+            return;
+        };
+        let loaded = parts
+            .iter()
+            .skip(1)
+            .filter(|part| self.is_loaded(&part.source.path))
+            .filter_map(|part| self.purpose(&part.source.path));
+        let purpose = loaded.fold(own, Purpose::or);
+        // where robots are only shown, others may load what nothing here does, or simulate it
+        let is_used = purpose.is_loaded || purpose.is_applied && self.is_beside_loaded(file);
+        if !is_used {
+            return;
+        }
+        let is_unreached = may_be_unreached && !purpose.is_loaded && self.is_unreached(file);
+        for finding in findings.iter_mut().filter(|finding| is_news(finding)) {
+            let is_warning = is_warning(finding);
+            // what is for simulators was written for one
+            let is_sure = purpose.is_applied || is_warning && !finding.rule.has(Trait::Simulation);
+            let is_idle = is_sure && is_without_effect(finding, purpose);
+            if is_idle || is_unreached && is_warning {
+                finding.severity = Severity::Info;
+            }
+        }
+    }
+
+    /// What is done with a description. MoveIt finds one by the name of its package.
+    fn purpose(&self, file: &Path) -> Option<Purpose> {
+        let mut purpose = self.purpose_in_texts(file)?;
+        let package = self.packages.containing(file);
+        if !purpose.is_loaded
+            && package.is_some_and(|package| self.is_built_for_moveit(file, &package.folder))
+        {
+            (purpose.is_loaded, purpose.is_met) = (true, true);
+        }
+        Some(purpose)
+    }
+
+    /// Whether no text leads to a description, nor to what includes it.
+    fn is_unreached(&self, file: &Path) -> bool {
+        let is_passed = |file: &Path| {
+            self.purpose(file).is_some_and(|purpose| !purpose.is_loaded)
+                && !self.is_named(file)
+                && !self.is_for_assistant(file)
+        };
+        self.holds_above(file, is_passed)
+    }
+
     /// Whether nobody runs a launch file: it is kept, in a package that was put aside or is not built, or for ROS 1 in a package for
     /// ROS 2.
     pub(super) fn is_launch_left_over(&self, file: &Path) -> bool {
         let is_of_ros1 = file.extension().is_some_and(|ending| ending == "launch");
         self.is_kept(file)
-            || is_of_ros1 && self.is_for_ament(file)
+            || is_of_ros1 && is_for_ament(file, &self.packages)
             || self.is_put_aside(file)
             || self.packages.is_never_built(file)
-    }
-
-    /// Whether the manifest of the package around a file says that it is built for ROS 2.
-    fn is_for_ament(&self, file: &Path) -> bool {
-        let package = self.packages.containing(file);
-        let manifest = package.map(|package| self.vfs.text(&package.folder.join("package.xml")));
-        self.packages.generation(file) == Some(RosVersion::Ros2)
-            && manifest
-                .is_some_and(|manifest| manifest.is_ok_and(|file| file.text.contains("ament_")))
     }
 
     /// Whether a launch file runs xacro on a file, whatever its ending is, or somebody ran it and kept the result beside it.
@@ -120,9 +178,12 @@ impl Session {
         if !is_joint || !finding.message.contains(WHAT) || !self.is_loaded(file) {
             return false;
         }
-        let is_ros2 = self.is_for_ament(file);
+        let is_ros2 = is_for_ament(file, &self.packages);
         let is_run = |path: &&PathBuf| {
-            !(is_ros2 && path.extension().is_some_and(|ending| ending == "launch"))
+            let is_of_ros1 = path.extension().is_some_and(|ending| ending == "launch");
+            // an exporter of CAD programs writes it beside each robot
+            let is_export = path.ends_with("controller.launch") && !self.is_mentioned(path);
+            !(is_ros2 && is_of_ros1 || is_export)
         };
         let has_it = |path: &PathBuf| {
             self.vfs
@@ -169,6 +230,16 @@ impl Session {
         let gives = |call: &RobotCall| call.call.args.iter().any(|argument| argument.name == name);
         calls.peek().is_some() && calls.all(gives)
     }
+}
+
+/// Whether a finding is about something that no program needs that gets the robot. A value of the wrong sign is a slip, whoever
+/// reads it.
+fn is_without_effect(finding: &Finding, purpose: Purpose) -> bool {
+    let rule = finding.rule;
+    let about_masses = rule.category == Category::Inertia && !rule.has(Trait::WrongSign);
+    about_masses && !purpose.is_weighed
+        || rule.has(Trait::Contact) && !purpose.is_met
+        || rule.has(Trait::Simulation) && !purpose.is_weighed && !purpose.is_met
 }
 
 /// The file that an expression reads and that is missing.

@@ -10,85 +10,6 @@ fn severity(rule: &str, files: &[(&str, &str)]) -> Option<Severity> {
 }
 
 #[test]
-fn inertia_that_nothing_computes_with() {
-    let robot = "<robot name='r'><link name='base'><inertial><mass value='1'/>\
-                 <inertia ixx='1' ixy='0' ixz='0' iyy='0.1' iyz='0' izz='0.1'/></inertial></link></robot>";
-    let of = |launch: &str, others: &[(&str, &str)]| {
-        let own = [
-            MANIFEST,
-            ("urdf/arm.urdf", robot),
-            ("launch/arm.launch", launch),
-        ];
-        severity("inertia-triangle-inequality", &[&own, others].concat())
-    };
-    let plans = "<param textfile='$(find arm)/urdf/arm.urdf'/><node pkg='moveit_ros_move_group'/>";
-    assert_eq!(of(plans, &[]), Some(Severity::Info));
-    // what is only shown here may be simulated by others
-    let shows = "<param textfile='$(find arm)/urdf/arm.urdf'/><node pkg='rviz'/>";
-    assert_eq!(of(shows, &[]), Some(Severity::Error));
-    let simulates = "<include file='$(find gazebo_ros)/launch/empty_world.launch'/>";
-    assert_eq!(
-        of(plans, &[("launch/sim.launch", simulates)]),
-        Some(Severity::Warning)
-    );
-    // Gazebo Classic takes the tensor, and Gazebo Sim refuses the robot
-    let refuses = "Node(package='ros_gz_sim', executable='create')";
-    assert_eq!(
-        of(plans, &[("launch/sim.launch.py", refuses)]),
-        Some(Severity::Error)
-    );
-    assert_eq!(
-        of(plans, &[("scripts/hold.py", "import pinocchio")]),
-        Some(Severity::Warning)
-    );
-    let plugin = "<robot name='r'><gazebo><plugin name='p' filename='p.so'/></gazebo></robot>";
-    assert_eq!(
-        of(plans, &[("urdf/gazebo.xacro", plugin)]),
-        Some(Severity::Warning)
-    );
-    // a sign that is lost is a slip, whoever reads it
-    let negative = robot.replace("iyy='0.1'", "iyy='-0.1'");
-    let files = [
-        MANIFEST,
-        ("urdf/arm.urdf", negative.as_str()),
-        ("launch/arm.launch", plans),
-    ];
-    assert_eq!(
-        severity("inertia-not-positive-definite", &files),
-        Some(Severity::Error)
-    );
-}
-
-#[test]
-fn inertia_of_another_robot_than_the_simulated_one() {
-    let robot = "<robot name='r'><link name='base'><inertial><mass value='1'/>\
-                 <inertia ixx='1' ixy='0' ixz='0' iyy='0.1' iyz='0' izz='0.1'/></inertial></link></robot>";
-    let of = |loads: &str, simulates: &str| {
-        let files = [
-            MANIFEST,
-            ("urdf/real.urdf", robot),
-            (
-                "urdf/sim.urdf",
-                "<robot name='s'><link name='base'/></robot>",
-            ),
-            ("launch/real.launch", loads),
-            ("launch/sim.launch", simulates),
-        ];
-        severity("inertia-triangle-inequality", &files)
-    };
-    let loads = "<param textfile='$(find arm)/urdf/real.urdf'/><node pkg='driver'/>";
-    let simulates = "<param textfile='$(find arm)/urdf/sim.urdf'/><include file='$(find gazebo_ros)/x.launch'/>";
-    assert_eq!(of(loads, simulates), Some(Severity::Info));
-    // a launch file that simulates includes the one that loads it
-    let includes = format!("{simulates}<include file='$(find arm)/launch/real.launch'/>");
-    assert_eq!(of(loads, &includes), Some(Severity::Warning));
-    assert_eq!(
-        of(loads, &simulates.replace("sim.urdf", "real.urdf")),
-        Some(Severity::Warning)
-    );
-}
-
-#[test]
 fn blocks_of_hardware_that_meet_in_the_robot_of_the_assistant() {
     let block = "<ros2_control name='NAME' type='system'><hardware><plugin>mock_components/GenericSystem</plugin></hardware>\
                  <joint name='a'><command_interface name='position'/></joint></ros2_control>";
@@ -195,33 +116,6 @@ fn values_that_a_program_writes() {
     };
     assert_eq!(of("/made/\n"), Some(Severity::Info));
     assert_eq!(of("/other/\n"), Some(Severity::Error));
-}
-
-#[test]
-fn robots_that_only_programs_load() {
-    let robot = "<robot name='r'><link name='base'><inertial><mass value='1'/>\
-                 <inertia ixx='1' ixy='0' ixz='0' iyy='0.1' iyz='0' izz='0.1'/></inertial></link></robot>";
-    let of = |program: &str, launch: &str| {
-        let files = [
-            MANIFEST,
-            ("urdf/arm.urdf", robot),
-            (
-                "urdf/other.urdf",
-                "<robot name='o'><link name='o'/></robot>",
-            ),
-            ("scripts/reach.py", program),
-            ("launch/all.launch", launch),
-        ];
-        severity("inertia-triangle-inequality", &files)
-    };
-    // another robot is simulated with Gazebo Sim
-    let simulates = "<node pkg='ros_gz_sim'/><param textfile='$(find arm)/urdf/other.urdf'/>";
-    let reaches = "robot = ikpy.Chain.from_urdf_file('urdf/arm.urdf')";
-    assert_eq!(of(reaches, simulates), Some(Severity::Info));
-    let moves = "import mujoco\nmodel = load('urdf/arm.urdf')";
-    assert_eq!(of(moves, simulates), Some(Severity::Error));
-    let launches = simulates.replace("other.urdf", "arm.urdf");
-    assert_eq!(of(reaches, &launches), Some(Severity::Error));
 }
 
 #[test]

@@ -10,17 +10,21 @@ pub const MANIFEST: &str = "package.xml";
 
 /// The `<name>` of the package whose folder is `folder`; `None` when it holds no usable `package.xml`.
 pub(super) fn package_name(vfs: &Vfs, folder: &Path) -> Option<String> {
-    let file = vfs.text(&folder.join(MANIFEST)).ok()?;
-    name_in(&file.text)
+    // read and parsed once, however often it is asked
+    let file = vfs.document(&folder.join(MANIFEST)).ok()?;
+    name_of(&file.document)
 }
 
 /// The name a manifest declares. One that is not well-formed is searched for the first `<name>`.
 pub(super) fn name_in(text: &str) -> Option<String> {
-    let document = Document::parse(text);
+    name_of(&Document::parse(text))
+}
+
+fn name_of(document: &Document) -> Option<String> {
     let name = if document.errors().is_empty() {
-        declared_name(&document)?
+        declared_name(document)?
     } else {
-        first_name(text)?.to_owned()
+        first_name(&document.text())?.to_owned()
     };
     let name = name.trim();
     is_package_name(name).then(|| name.to_owned())

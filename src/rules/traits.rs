@@ -14,6 +14,8 @@ pub enum Trait {
     Deprecated,
     /// About collisions, which a robot that is only shown does not need.
     Contact,
+    /// About what simulators and planners do, which a robot that is only shown does not need.
+    Simulation,
     /// urdfdom rejects it, and Bullet accepts it. Source: `UrdfParser.cpp` of Bullet 3.25, and loading with PyBullet.
     AcceptedByBullet,
     /// urdfdom rejects it, and RaiSim accepts it: vectors with commas, joints without limits, spherical joints, a material twice.
@@ -54,6 +56,11 @@ static DEPRECATED: [&Rule; 4] = [
 static CONTACT: [&Rule; 2] = [
     &geometry::collision_mesh_too_detailed::RULE,
     &geometry::mesh_inconsistent_normals::RULE,
+];
+
+static SIMULATION: [&Rule; 2] = [
+    &control::gazebo_unknown_reference::RULE,
+    &joint::mimic_range_exceeds_limits::RULE,
 ];
 
 static CONTROLLER: [&Rule; 2] = [
@@ -165,6 +172,7 @@ impl Trait {
             Trait::Unnecessary => &UNNECESSARY,
             Trait::Deprecated => &DEPRECATED,
             Trait::Contact => &CONTACT,
+            Trait::Simulation => &SIMULATION,
             Trait::AcceptedByBullet => &ACCEPTED_BY_BULLET,
             Trait::AcceptedByRaiSim => &ACCEPTED_BY_RAISIM,
             Trait::WrongSign => &WRONG_SIGN,

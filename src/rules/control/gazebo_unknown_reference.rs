@@ -47,7 +47,8 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         match near {
             Some(near) => {
                 // the part that the name resembles has its color
-                let is_left_over = is_color(cx, block) && has_own(cx, near);
+                let is_left_over =
+                    is_color(cx, block) && has_own(cx, near) || is_commented_out(cx, name);
                 let severity = if is_left_over { Severity::Info } else { RULE.severity };
                 let report =
                     report.severity(severity).help(Help::did_you_mean(near).and("SDFormat ignores an element with an unknown reference"));

@@ -25,6 +25,8 @@ pub(super) static RULE: Rule = Rule {
 
 /// Rounding of what people write for half of pi.
 const TOLERANCE: f64 = 0.01;
+/// Rounding of no turn: what is turned by more than this was measured.
+const UNTURNED: f64 = 1e-6;
 /// How far a camera may be off by what was measured.
 const CALIBRATED: f64 = 0.1;
 /// The part of a direction along x up to which it is across.
@@ -51,7 +53,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         };
         let turned = UnitQuaternion::from_euler_angles(roll, pitch, yaw);
         // on a part that is no camera, the joint holds the pose of the camera as well
-        let is_mounted = turned.angle() > TOLERANCE && first_word(parent) != first_word(child);
+        let is_mounted = turned.angle() > UNTURNED && first_word(parent) != first_word(child);
         let is_off = |turned: &UnitQuaternion<f64>| turned.angle_to(&usual) > CALIBRATED;
         if is_off(&turned)
             && !is_mounted

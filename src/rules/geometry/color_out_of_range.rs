@@ -5,7 +5,7 @@ use super::super::context::DocumentCx;
 use super::super::grouping::Group;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use super::shapes::materials;
+use super::shapes::{materials, visual_materials};
 
 pub(super) static RULE: Rule = Rule {
     code: "GEO025",
@@ -20,6 +20,7 @@ pub(super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    let Some(robot) = cx.robot else { return };
     for material in materials(cx) {
         let Some(text) = &material.rgba else { continue };
         let Some(numbers) = text.numbers::<4>() else {
@@ -32,9 +33,21 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             .name
             .as_ref()
             .map_or("", |name| name.value.as_str());
+        // what no visual has is not drawn
+        let is_drawn = robot.links.is_empty()
+            || visual_materials(robot).any(|(_, own)| {
+                std::ptr::eq(own, material)
+                    || own.name.as_ref().is_some_and(|own| own.value == name)
+            });
+        let severity = if is_drawn {
+            Severity::Warning
+        } else {
+            Severity::Info
+        };
         let message = format!("color of material `{name}` is outside the range 0 to 1");
         let report = out
             .report(text.origin, message)
+            .severity(severity)
             // who writes 255 once does so everywhere
             .group(Group::Value(EcoString::new()))
             .help("write red, green, blue and alpha from 0 to 1");

@@ -83,6 +83,10 @@ fn is_among_others(cx: &DocumentCx<'_>, mesh: &MeshUse<'_>) -> bool {
 /// the frame stands makes no difference.
 fn distance(cx: &DocumentCx<'_>, link: &Link, bounds: Bounds) -> f64 {
     let above = cx.joints_above(link.shown()).first();
+    // what slides moves alike, wherever its frame is
+    if above.is_some_and(|joint| joint.is(&[JointType::Prismatic])) {
+        return 0.0;
+    }
     let turning = above.filter(|joint| joint.is(&[JointType::Revolute, JointType::Continuous]));
     let Some(joint) = turning else {
         return beyond(bounds);

@@ -7,7 +7,7 @@ use super::mimics::mimicking;
 use model::JointType::{Prismatic, Revolute};
 use model::{AttrValue, Joint, tag_start};
 
-pub(super) static RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "JNT024",
     name: "mimic-range-exceeds-limits",
     category: Category::Joint,

@@ -15,7 +15,7 @@ mod limit_on_continuous;
 mod mimic_chain;
 pub(super) mod mimic_cycle;
 mod mimic_fixed_joint;
-mod mimic_range_exceeds_limits;
+pub(super) mod mimic_range_exceeds_limits;
 mod mimic_unknown_joint;
 mod mimics;
 mod missing_axis;

@@ -8,7 +8,7 @@ pub(super) static RULE: Rule = Rule::beside(
     "MOV002",
     "joint-limits-above-urdf",
     Category::Moveit,
-    Severity::Warning,
+    Severity::Info,
     page("joint-limits-above-urdf"),
     check,
 );

@@ -35,6 +35,13 @@ pub(in super::super) fn is_unprefixed(
     };
     (is_forgotten_prefix(node.name()) && declares(document) || is_own() && is_in_xacro(expansion))
         && is_of_robot(expansion, document)
+        && !is_ignored(node)
+}
+
+/// Whether xacro ignores an element whatever its name is, as a child of an include.
+fn is_ignored(node: Node<'_>) -> bool {
+    node.parent()
+        .is_some_and(|parent| parent.name() == "xacro:include")
 }
 
 /// Whether a document is a robot, or a part that one includes: the root element of a part may have any name.

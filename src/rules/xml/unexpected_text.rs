@@ -56,7 +56,8 @@ fn report(cx: &DocumentCx<'_>, parent: XId, text: XId, out: &mut Sink<'_>) {
     );
     // what other languages write in front of a comment
     let is_comment = ["#", "//"].iter().any(|start| shown.starts_with(start));
-    let is_harmless = is_comment || is_left_over(cx, parent, text);
+    let is_harmless =
+        is_comment || is_stray_word(cx, parent, &shown) || is_left_over(cx, parent, text);
     out.report(trimmed(cx, node.origin), message)
         .severity(if is_harmless {
             Severity::Info
@@ -65,6 +66,13 @@ fn report(cx: &DocumentCx<'_>, parent: XId, text: XId, out: &mut Sink<'_>) {
         })
         .help("remove it, or put it in a comment <!-- ... -->; parsers ignore it")
         .done();
+}
+
+/// Whether a text is one word or sign between parts of a robot or link: neither markup nor a value is lost with it.
+fn is_stray_word(cx: &DocumentCx<'_>, parent: XId, shown: &str) -> bool {
+    let is_between_parts = ["robot", "link"].contains(&cx.expansion.tree.get(parent).text.as_str());
+    let is_of_markup = |c: char| matches!(c, '<' | '>' | '=' | '"' | '\'' | '{' | '}');
+    is_between_parts && !shown.contains(char::is_whitespace) && !shown.contains(is_of_markup)
 }
 
 /// Whether a text is a bracket that was typed twice, as in `<link name="a"/>>`. An end of a comment without its start is more: what

@@ -85,6 +85,13 @@ impl Caller {
         self.endings.iter().any(is_end)
     }
 
+    /// Whether the text names the end of the name of a description with a part of a word, not only with dots.
+    pub(super) fn ends_in_word(&self, file: &Path) -> bool {
+        let says_more = |ending: &&String| !ending.is_empty() && !ending.starts_with('.');
+        let mut endings = self.endings.iter().filter(says_more);
+        endings.any(|ending| name_of(file).ends_with(ending.as_str()))
+    }
+
     /// Whether this is a file to be read, not run.
     pub(super) fn is_page(&self) -> bool {
         file_names::is_page(&self.path)
@@ -97,14 +104,7 @@ impl Caller {
 
     /// Whether this is a launch file, by its name or folder.
     pub(super) fn is_launch(&self) -> bool {
-        let name = self
-            .path
-            .file_name()
-            .and_then(|name| name.to_str())
-            .unwrap_or("");
-        let folder = self.path.parent().and_then(Path::file_name);
-        name.contains("launch")
-            || folder.is_some_and(|folder| folder == "launch") && !self.is_page()
+        file_names::is_launch(&self.path)
     }
 
     /// Whether this is a launch file to try something out, by its name.

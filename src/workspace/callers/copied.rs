@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::Callers;
+use super::file_names;
 use super::meant::may_mean;
 use super::uses::Uses;
 use base::FastSet;
@@ -141,9 +142,10 @@ impl Callers {
             let is_listed = path.ends_with("CMakeLists.txt") || path.ends_with("package.xml");
             is_listed && path.starts_with(&package) || is_of_tests(path, packages)
         };
+        // a page that lists it is no use
         let mut named = mentions
             .of(file)
-            .filter(|by| may_mean(by, file, packages))
+            .filter(|by| !file_names::is_page(by) && may_mean(by, file, packages))
             .peekable();
         let is_included = |by: &PathBuf| !is_test(by);
         named.peek().is_some() && named.all(is_test) && !includers(file).iter().any(is_included)

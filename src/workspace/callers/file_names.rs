@@ -38,6 +38,13 @@ pub(super) fn is_page(path: &Path) -> bool {
     ["md", "rst", "txt", "ipynb"].contains(&ending) && !path.ends_with("CMakeLists.txt")
 }
 
+/// Whether a file is a launch file, by its name or folder.
+pub(super) fn is_launch(path: &Path) -> bool {
+    let folder = path.parent().and_then(Path::file_name);
+    name_of(path).contains("launch")
+        || folder.is_some_and(|folder| folder == "launch") && !is_page(path)
+}
+
 /// Whether a file is a program, and no test of one.
 pub(super) fn is_program(path: &Path) -> bool {
     let ending = path

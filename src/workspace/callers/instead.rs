@@ -6,6 +6,7 @@ use std::sync::Arc;
 use super::Callers;
 use super::caller::Caller;
 use super::meant::may_mean;
+use super::mentions::TextMentions;
 use super::uses::Uses;
 use base::FastSet;
 use packages::Packages;
@@ -39,6 +40,32 @@ impl Callers {
                 .flat_map(|caller| caller.descriptions.keys())
                 .any(|name| all.files.contains_key(name))
         })
+    }
+
+    /// Whether a launch file or program around `file` that names a description simulates, plans or controls something.
+    pub fn move_any(&self, file: &Path, packages: &Packages) -> bool {
+        self.around(file, packages).is_some_and(|all| {
+            let mut callers = all.callers.iter();
+            callers.any(|caller| caller.simulates && !caller.is_page())
+        })
+    }
+
+    /// Whether a launch file or program around `file` loads a description that is there, or a simulator has a model of its own.
+    pub fn load_any(&self, file: &Path, packages: &Packages) -> bool {
+        let has_model = |mentions: Arc<TextMentions>| {
+            mentions.is_whole && mentions.runs && mentions.has_own_model
+        };
+        let loads = |all: Arc<Uses>| {
+            let loaders = all
+                .callers
+                .iter()
+                .filter(|caller| caller.is_launch() || caller.is_program());
+            loaders
+                .flat_map(|caller| caller.descriptions.keys())
+                .any(|name| all.files.contains_key(name))
+        };
+        self.around(file, packages).is_some_and(loads)
+            || self.mentions(file, packages).is_some_and(has_model)
     }
 
     /// The names of the descriptions in the package of `file` that launch files, programs and build files load instead: none where the file itself

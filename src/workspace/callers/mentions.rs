@@ -3,11 +3,12 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use super::Callers;
 use super::file_names::{self, name_of};
 use super::read::{self, has_any};
+use super::text_words::TextWords;
 use super::uses::Uses;
 use super::walk::walk;
-use super::{Callers, purpose};
 use base::{FastMap, FastSet};
 use packages::Packages;
 
@@ -21,9 +22,6 @@ const NEW: [&str; 13] = [
     "noetic", "ardent", "bouncy", "crystal", "dashing", "eloquent", "foxy", "galactic", "humble",
     "iron", "jazzy", "kilted", "ros2",
 ];
-
-/// Words of texts that start controllers by their names.
-const STARTERS: [&str; 3] = ["spawner", "load_controller", "switch_controller"];
 
 /// What the texts below a folder say, comments left out.
 #[derive(Default)]
@@ -42,12 +40,12 @@ pub(super) struct TextMentions {
     takes_srdf: bool,
     /// Whether a text simulates, plans or controls something.
     simulates: bool,
-    /// Whether a text simulates or plans something with the triangles of collision meshes.
-    pub meets: bool,
     /// Whether a launch file or program plans or controls something, or simulates it.
     pub moves: bool,
-    /// Whether a launch file or program needs masses, or a description is prepared for one that does.
-    pub weighs: bool,
+    /// What texts that run something, and descriptions, say of programs, where they say something.
+    says: FastMap<PathBuf, TextWords>,
+    /// Whether there is a model for MuJoCo or Isaac, which they read instead of a description.
+    pub has_own_model: bool,
     /// Whether a text is for a simulator that refuses a tensor that no body has.
     pub refuses: bool,
     /// Whether there is a launch file or a program.
@@ -151,23 +149,21 @@ impl TextMentions {
     fn add(&mut self, path: &Path, text: &str, names: &FastSet<String>) {
         let is_description = file_names::is_description(name_of(path));
         let is_page = file_names::is_page(path);
-        self.simulates |= read::simulates(text);
-        self.meets |= purpose::meets(text);
-        self.moves |= !is_description && !is_page && read::simulates(text);
-        self.weighs |= if is_description {
-            purpose::is_for_gazebo(text)
-        } else {
-            !is_page && purpose::weighs(text)
-        };
-        self.refuses |= !is_page && purpose::refuses(text);
+        let words = TextWords::of(text);
+        let is_run = !is_description && !is_page;
+        self.simulates |= words.simulates();
+        self.moves |= is_run && words.simulates();
+        self.has_own_model |= words.is_own_model();
+        self.refuses |= !is_page && words.refuses();
         self.runs |=
             !is_description && (name_of(path).contains("launch") || file_names::is_program(path));
-        self.spawns_models |= name_of(path).contains("launch") && purpose::spawns_model(text);
-        if !is_description && !is_page && has_any(text, &STARTERS) {
+        self.spawns_models |= name_of(path).contains("launch") && words.spawns_model();
+        self.builds_moveit |= is_run && words.builds_moveit();
+        if is_run && words.starts_controllers() {
             self.starters.push(path.to_owned());
         }
-        if !is_page {
-            self.builds_moveit |= !is_description && text.contains("MoveItConfigs");
+        if !is_page && words != TextWords::default() {
+            self.says.insert(path.to_owned(), words);
         }
         let is_use = !is_description && !path.ends_with("CMakeLists.txt");
         let mut seen: FastSet<(&str, Option<String>)> = FastSet::default();
@@ -175,13 +171,14 @@ impl TextMentions {
         for part in text.split_inclusive(|c| !read::is_name(c)) {
             let start = end;
             end += part.len();
-            let word = part
-                .trim_end_matches(|c| !read::is_name(c))
-                .trim_matches(['.', '-']);
-            self.takes_srdf |= !is_description && !is_page && word == "srdf";
+            let word = without_ends(part);
+            if word.is_empty() {
+                continue;
+            }
+            self.takes_srdf |= is_use && !is_page && word == "srdf";
             let is_package = is_use && names.contains(word);
             // in `package://name/` and `$(find name)`
-            if is_description && part.ends_with(['/', ')']) && names.contains(word) {
+            if is_description && names.contains(word) && part.ends_with(['/', ')']) {
                 self.read.insert(word.to_owned());
             }
             let is_file = word.contains('.') && word.contains(char::is_alphabetic);
@@ -232,6 +229,49 @@ impl TextMentions {
         }
     }
 
+    /// Whether a launch file or program needs masses, or a description is prepared for one that does.
+    pub fn needs_masses(&self) -> bool {
+        self.simulators().next().is_some()
+    }
+
+    /// Whether a text needs the masses and inertia of descriptions, or is a description for Gazebo. MuJoCo and Isaac need them where
+    /// they have no model of their own.
+    pub fn weighs(&self, path: &Path) -> bool {
+        let words = self.words(path);
+        if file_names::is_description(name_of(path)) {
+            words.is_for_gazebo()
+        } else {
+            words.weighs() || words.weighs_unless_own() && !self.has_own_model
+        }
+    }
+
+    /// Whether a text computes with the triangles of collision meshes.
+    pub fn meets(&self, path: &Path) -> bool {
+        !file_names::is_description(name_of(path)) && self.words(path).meets()
+    }
+
+    /// What a text says of programs that take descriptions, unless it is one that an exporter wrote.
+    fn words(&self, path: &Path) -> TextWords {
+        let words = self.says.get(path).copied().unwrap_or_default();
+        if words.spawns_only_models() || self.is_export(path) {
+            TextWords::default()
+        } else {
+            words
+        }
+    }
+
+    /// The texts that need the masses and inertia of descriptions.
+    pub fn simulators(&self) -> impl Iterator<Item = &Path> {
+        let paths = self.says.keys().map(PathBuf::as_path);
+        paths.filter(|path| self.weighs(path))
+    }
+
+    /// Whether a launch file is one that an exporter of CAD programs writes beside each description, where the robot has a model for
+    /// another simulator, and nothing starts it.
+    fn is_export(&self, path: &Path) -> bool {
+        self.has_own_model && name_of(path) == "gazebo.launch" && self.of(path).next().is_none()
+    }
+
     /// The texts other than a file itself that hold its name.
     pub fn of(&self, file: &Path) -> impl Iterator<Item = &Path> {
         self.with_packages(file).map(|(path, _)| path)
@@ -262,6 +302,24 @@ impl TextMentions {
             .into_iter()
             .flatten()
             .map(PathBuf::as_path)
+    }
+}
+
+/// A part of a text without the character behind the word, and without dots and dashes around that. Most words have none.
+fn without_ends(part: &str) -> &str {
+    let is_edge = |byte: Option<&u8>| matches!(byte, Some(b'.' | b'-'));
+    let word = match part.as_bytes() {
+        [.., last] if last.is_ascii() && !read::is_name(char::from(*last)) => {
+            part.get(..part.len() - 1).unwrap_or_default()
+        }
+        [.., last] if last.is_ascii() => part,
+        _ => part.trim_end_matches(|c| !read::is_name(c)),
+    };
+    let bytes = word.as_bytes();
+    if is_edge(bytes.first()) || is_edge(bytes.last()) {
+        word.trim_matches(['.', '-'])
+    } else {
+        word
     }
 }
 

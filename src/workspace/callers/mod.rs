@@ -17,6 +17,7 @@ mod mentions;
 mod programs;
 mod purpose;
 mod read;
+mod text_words;
 mod uses;
 mod walk;
 
@@ -25,6 +26,7 @@ pub use caller::{Caller, GivenArg};
 pub use choices::Excluded;
 pub use era::Era;
 pub use programs::downloads_data;
+pub use purpose::{Purpose, is_for_ament};
 pub use read::{has_name, without_comments};
 
 use std::path::{Path, PathBuf};

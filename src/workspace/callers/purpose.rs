@@ -5,158 +5,178 @@ use std::sync::Arc;
 
 use super::Callers;
 use super::caller::Caller;
+use super::file_names::{self, name_of};
+use super::meant::may_mean;
+use super::mentions::TextMentions;
 use super::read::has_any;
 use super::uses::Uses;
-use packages::Packages;
+use base::FastSet;
+use packages::{MANIFEST, Packages, RosVersion};
 
-/// Words in launch files and programs that run something that needs masses: simulators, and libraries for dynamics.
-const WEIGHS: [&str; 21] = [
-    "gazebo",
-    "ros_gz",
-    "ros_ign",
-    "gz_sim",
-    "mujoco",
-    "bullet",
-    "isaac",
-    "webots",
-    "coppelia",
-    "vrep",
-    "drake",
-    "pinocchio",
-    "raisim",
-    "genesis",
-    "sapien",
-    "dartsim",
-    "RigidBody",
-    "rbdl",
-    "RBDL",
-    "dynamics",
-    "Dynamics",
-];
-
-/// Whether a text runs something that needs masses and inertia.
-pub(super) fn weighs(text: &str) -> bool {
-    has_any(text, &WEIGHS)
+/// Whether a text runs something: no page, no list of what is installed, no launch file of ROS 1 in a package for ROS 2.
+fn is_run(path: &Path, packages: &Packages) -> bool {
+    let is_of_ros1 = path.extension().is_some_and(|ending| ending == "launch");
+    let is_no_call = file_names::is_page(path) || path.ends_with("CMakeLists.txt");
+    !(is_no_call || is_of_ros1 && is_for_ament(path, packages))
 }
 
-/// Words of simulators that refuse a robot with a tensor that no body has: Gazebo Sim, MuJoCo, Drake. Gazebo Classic takes it.
-const REFUSES: [&str; 9] = [
-    "ros_gz",
-    "ros_ign",
-    "gz_sim",
-    "gz-sim",
-    "gz_ros2_control",
-    "ign_ros2_control",
-    "ignition",
-    "mujoco",
-    "drake",
-];
-
-/// Whether a text runs a simulator that refuses a tensor that no body has, or is for one.
-pub(super) fn refuses(text: &str) -> bool {
-    has_any(text, &REFUSES)
+/// Whether the manifest of the package around a file says that it is built for ROS 2.
+pub fn is_for_ament(file: &Path, packages: &Packages) -> bool {
+    let says = |folder: &Path| {
+        packages.is_text(&folder.join(MANIFEST), |manifest| {
+            manifest.contains("ament_")
+        })
+    };
+    packages.generation(file) == Some(RosVersion::Ros2)
+        && packages
+            .containing(file)
+            .is_some_and(|package| says(&package.folder))
 }
 
-/// Whether a launch file spawns a model of SDF in Gazebo.
-pub(super) fn spawns_model(text: &str) -> bool {
-    const SPAWNERS: [&str; 3] = ["spawn_model", "spawn_entity", "ros_gz_sim"];
-    const MODELS: [&str; 2] = ["-sdf", ".sdf"];
-    has_any(text, &SPAWNERS) && has_any(text, &MODELS)
+/// What is done with a description by the texts that load it and those that start them.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Purpose {
+    /// Whether a launch file, a program or what configures them loads it.
+    pub is_loaded: bool,
+    /// Whether one of these texts needs masses and inertia.
+    pub is_weighed: bool,
+    /// Whether one of these texts computes with the triangles of its collision meshes.
+    pub is_met: bool,
+    /// Whether nobody else is expected to use it: a program loads it, or launch files and programs around it plan, control or
+    /// simulate. What is only shown may be simulated by others.
+    pub is_applied: bool,
 }
 
-/// Words in texts that run something that computes with every triangle of a collision mesh. Bullet, MuJoCo and Isaac take the
-/// convex hull of it.
-const TRIANGLES: [&str; 10] = [
-    "gazebo", "ros_gz", "ros_ign", "gz_sim", "webots", "coppelia", "vrep", "moveit", "fcl", "hpp",
-];
-
-/// Whether a text runs something that computes with the triangles of collision meshes.
-pub(super) fn meets(text: &str) -> bool {
-    has_any(text, &TRIANGLES)
+/// Whether a text names another description in the package of a file.
+fn is_another_named(all: &Uses, file: &Path, packages: &Packages) -> bool {
+    let Some(package) = packages.containing(file) else {
+        return false;
+    };
+    all.callers.iter().any(|caller| {
+        let names = caller.descriptions.keys();
+        let mut files = names.filter_map(|name| all.files.get(name)).flatten();
+        files.any(|other| {
+            other != file
+                && other.starts_with(&package.folder)
+                && all.names(caller, other, packages, true)
+        })
+    })
 }
 
-/// Whether a description has something that only Gazebo runs.
-pub(super) fn is_for_gazebo(text: &str) -> bool {
-    text.contains("<gazebo") && (text.contains("<plugin") || text.contains("<sensor"))
+impl Purpose {
+    /// Add what a text does with a description that it loads, or starts what loads it.
+    fn add(&mut self, path: &Path, mentions: &TextMentions) {
+        self.is_weighed |= mentions.weighs(path);
+        self.is_met |= mentions.meets(path);
+        if !file_names::is_description(name_of(path)) {
+            self.is_loaded = true;
+            self.is_applied |= file_names::is_program(path) && !file_names::is_launch(path);
+        }
+    }
+
+    /// What is done with one of two descriptions.
+    #[must_use]
+    pub fn or(self, other: Self) -> Self {
+        Self {
+            is_loaded: self.is_loaded || other.is_loaded,
+            is_weighed: self.is_weighed || other.is_weighed,
+            is_met: self.is_met || other.is_met,
+            is_applied: self.is_applied || other.is_applied,
+        }
+    }
 }
 
 impl Callers {
-    /// Whether launch files and programs plan with what lies around a file or control it, and nothing there needs masses and inertia:
-    /// none of them simulates anything or computes dynamics, and no description has a plugin or sensor for Gazebo. What is only shown
-    /// there may be simulated by others.
-    pub fn never_weigh(&self, file: &Path, packages: &Packages) -> bool {
-        self.mentions(file, packages)
-            .is_some_and(|all| all.is_whole && all.moves && !all.weighs)
+    /// What is done with the description `file`, alone or as a part of others; none where not all texts around it are known.
+    pub fn purpose(&self, file: &Path, packages: &Packages) -> Option<Purpose> {
+        let mentions = self
+            .mentions(file, packages)
+            .filter(|mentions| mentions.is_whole)?;
+        let mut purpose = Purpose {
+            is_applied: mentions.moves,
+            ..Purpose::default()
+        };
+        let mut open = self.loaders(file, &mentions, packages);
+        let mut seen: FastSet<PathBuf> = FastSet::default();
+        while let Some(path) = open.pop() {
+            if !is_run(&path, packages) || !seen.insert(path.clone()) {
+                continue;
+            }
+            purpose.add(&path, &mentions);
+            open.extend(self.loaders(&path, &mentions, packages));
+        }
+        if purpose.is_loaded && !purpose.is_weighed {
+            for path in self.simulators_beside(file, &seen, &mentions, packages) {
+                purpose.add(path, &mentions);
+            }
+        }
+        Some(purpose)
+    }
+
+    /// The texts that name a file, compute a part of its name, or take any: the last where no text names another description of its
+    /// package.
+    fn loaders(&self, file: &Path, mentions: &TextMentions, packages: &Packages) -> Vec<PathBuf> {
+        let named = mentions.of(file).filter(|by| may_mean(by, file, packages));
+        let mut found: Vec<PathBuf> = named.map(Path::to_owned).collect();
+        if let Some(all) = self
+            .around(file, packages)
+            .filter(|_| file_names::is_description(name_of(file)))
+        {
+            let is_another_named = is_another_named(&all, file, packages);
+            let loads = |caller: &&Caller| {
+                caller.ends_in_word(file)
+                    || !is_another_named
+                        && (caller.ends(file) || caller.is_open && caller.is_launch())
+            };
+            let callers = all.callers.iter().filter(loads).map(|caller| &caller.path);
+            let may_mean = |by: &&PathBuf| may_mean(by, file, packages);
+            found.extend(callers.filter(may_mean).cloned());
+        }
+        found
+    }
+
+    /// Launch files and programs that need masses of a robot without naming one, in the packages of a description and of the launch
+    /// files that load it: they take what a topic or parameter holds.
+    fn simulators_beside<'m>(
+        &self,
+        file: &Path,
+        loaders: &FastSet<PathBuf>,
+        mentions: &'m TextMentions,
+        packages: &Packages,
+    ) -> Vec<&'m Path> {
+        let folders: FastSet<PathBuf> = loaders
+            .iter()
+            .filter(|path| file_names::is_launch(path))
+            .map(PathBuf::as_path)
+            .chain([file])
+            .filter_map(|path| Some(packages.containing(path)?.folder))
+            .collect();
+        let Some(uses) = self.around(file, packages) else {
+            return Vec::new();
+        };
+        let names_one = |path: &Path| {
+            uses.callers
+                .iter()
+                .any(|caller| caller.path == path && !caller.descriptions.is_empty())
+        };
+        let simulators = mentions
+            .simulators()
+            .filter(|path| file_names::is_launch(path) || file_names::is_program(path));
+        simulators
+            .filter(|path| {
+                packages
+                    .containing(path)
+                    .is_some_and(|package| folders.contains(&package.folder))
+                    && !names_one(path)
+            })
+            .collect()
     }
 
     /// Whether launch files and programs simulate what lies around a file, none of them with a simulator that refuses a tensor that no
     /// body has.
     pub fn never_refuse(&self, file: &Path, packages: &Packages) -> bool {
         self.mentions(file, packages)
-            .is_some_and(|all| all.is_whole && all.weighs && all.runs && !all.refuses)
-    }
-
-    /// Whether launch files and programs use what lies around a file, and no text there simulates or plans with the triangles of
-    /// its collision meshes.
-    pub fn never_meet(&self, file: &Path, packages: &Packages) -> bool {
-        self.mentions(file, packages)
-            .is_some_and(|all| all.is_whole && all.runs && !all.meets)
-    }
-
-    /// Whether nothing but programs loads the description `file`, and none of them needs masses and inertia.
-    pub fn load_without_masses(&self, file: &Path, packages: &Packages) -> bool {
-        self.load_in_programs_without(weighs, file, packages)
-    }
-
-    /// Whether nothing but programs loads the description `file`, and none of them computes with triangles of collision meshes.
-    pub fn load_without_triangles(&self, file: &Path, packages: &Packages) -> bool {
-        self.load_in_programs_without(meets, file, packages)
-    }
-
-    /// Whether nothing but programs loads a description, and none of them says that it does something with it.
-    fn load_in_programs_without(
-        &self,
-        does: impl Fn(&str) -> bool,
-        file: &Path,
-        packages: &Packages,
-    ) -> bool {
-        let all = self.of(file, packages);
-        let mut loaders = all
-            .iter()
-            .filter(|caller| caller.says(file) && !caller.is_page())
-            .peekable();
-        loaders.peek().is_some()
-            && loaders.all(|caller| {
-                caller.is_program()
-                    && !caller.is_launch()
-                    && packages.is_text(&caller.path, |text| !does(text))
-            })
-    }
-
-    /// Whether launch files load the description `file` and neither they nor the texts that name them need masses, while others
-    /// simulate another one that is there.
-    pub fn handle_only(&self, file: &Path, packages: &Packages) -> bool {
-        let Some(mentions) = self.mentions(file, packages).filter(|all| all.is_whole) else {
-            return false;
-        };
-        let needs_masses = |path: &Path| packages.is_text(path, weighs);
-        let all = self.of(file, packages);
-        let mut loaders = all
-            .iter()
-            .filter(|caller| caller.says(file) && !caller.is_page())
-            .peekable();
-        let simulates_another = |all: Arc<Uses>| {
-            let mut others = all.callers.iter().filter(|caller| caller.is_launch());
-            others
-                .any(|caller| all.has_another(caller, file, packages) && needs_masses(&caller.path))
-        };
-        loaders.peek().is_some()
-            && loaders.all(|caller| {
-                caller.is_launch()
-                    && !needs_masses(&caller.path)
-                    && !mentions.of(&caller.path).any(needs_masses)
-            })
-            && self.around(file, packages).is_some_and(simulates_another)
+            .is_some_and(|all| all.is_whole && all.needs_masses() && all.runs && !all.refuses)
     }
 
     /// Whether a launch file starts the controllers or simulation of another description that is there, and none names this one.

@@ -7,26 +7,9 @@ use super::caller::{Caller, GivenArg, NamePrefix};
 use super::config;
 use super::era::era;
 use super::file_names::is_description;
+use super::text_words::TextWords;
 use crate::launch;
 use base::FastMap;
-
-/// Words in launch files that run something that needs masses and collisions.
-const SIMULATES: [&str; 9] = [
-    "gazebo",
-    "ros_gz",
-    "ros_ign",
-    "mujoco",
-    "pybullet",
-    "isaac",
-    "webots",
-    "controller_manager",
-    "moveit",
-];
-
-/// Whether a text runs something that needs masses and collisions.
-pub(super) fn simulates(text: &str) -> bool {
-    has_any(text, &SIMULATES)
-}
 
 /// Whether a text holds one of these words, also as a part of another.
 pub(super) fn has_any(text: &str, words: &[&str]) -> bool {
@@ -77,7 +60,7 @@ pub(super) fn caller(path: &Path, text: &str) -> Option<Caller> {
         era: era(text),
         is_bullet: has_any(text, &["loadURDF(", "Bullet", "pybullet"]),
         is_raisim: has_any(text, &["addArticulatedSystem", "raisim"]),
-        simulates: simulates(text),
+        simulates: TextWords::is_about_simulation(text),
         shows: text.contains("rviz"),
         args,
         based_on,

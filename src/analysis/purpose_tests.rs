@@ -1,0 +1,224 @@
+//! What launch files and programs do with robots decides what is worth a warning.
+use super::set_aside_tests::found;
+use rules::Severity;
+
+const MANIFEST: (&str, &str) = ("package.xml", "<package><name>arm</name></package>");
+
+/// The severity of the first place of a rule in these files.
+fn severity(rule: &str, files: &[(&str, &str)]) -> Option<Severity> {
+    found(files, rule).first().map(|found| found.1)
+}
+
+#[test]
+fn inertia_that_nothing_computes_with() {
+    let robot = "<robot name='r'><link name='base'><inertial><mass value='1'/>\
+                 <inertia ixx='1' ixy='0' ixz='0' iyy='0.1' iyz='0' izz='0.1'/></inertial></link></robot>";
+    let of = |launch: &str, others: &[(&str, &str)]| {
+        let own = [
+            MANIFEST,
+            ("urdf/arm.urdf", robot),
+            ("launch/arm.launch", launch),
+        ];
+        severity("inertia-triangle-inequality", &[&own, others].concat())
+    };
+    let plans = "<param textfile='$(find arm)/urdf/arm.urdf'/><node pkg='moveit_ros_move_group'/>";
+    assert_eq!(of(plans, &[]), Some(Severity::Info));
+    // what is only shown here may be simulated by others
+    let shows = "<param textfile='$(find arm)/urdf/arm.urdf'/><node pkg='rviz'/>";
+    assert_eq!(of(shows, &[]), Some(Severity::Error));
+    let simulates = "<include file='$(find gazebo_ros)/launch/empty_world.launch'/>";
+    assert_eq!(
+        of(plans, &[("launch/sim.launch", simulates)]),
+        Some(Severity::Warning)
+    );
+    // Gazebo Classic takes the tensor, and Gazebo Sim refuses the robot
+    let refuses = "Node(package='ros_gz_sim', executable='create')";
+    assert_eq!(
+        of(plans, &[("launch/sim.launch.py", refuses)]),
+        Some(Severity::Error)
+    );
+    assert_eq!(
+        of(plans, &[("scripts/hold.py", "import pinocchio")]),
+        Some(Severity::Warning)
+    );
+    // a robot for Gazebo that it is a part of, and another one
+    let simulated = |includes: &str| {
+        let robot = format!(
+            "<robot name='s' xmlns:xacro='x'>{includes}<gazebo><plugin name='p' filename='p.so'/></gazebo></robot>"
+        );
+        of(plans, &[("urdf/sim.xacro", robot.as_str())])
+    };
+    assert_eq!(
+        simulated("<xacro:include filename='arm.urdf'/>"),
+        Some(Severity::Warning)
+    );
+    assert_eq!(simulated(""), Some(Severity::Info));
+    // a sign that is lost is a slip, whoever reads it
+    let negative = robot.replace("iyy='0.1'", "iyy='-0.1'");
+    let files = [
+        MANIFEST,
+        ("urdf/arm.urdf", negative.as_str()),
+        ("launch/arm.launch", plans),
+    ];
+    assert_eq!(
+        severity("inertia-not-positive-definite", &files),
+        Some(Severity::Error)
+    );
+}
+
+#[test]
+fn inertia_of_another_robot_than_the_simulated_one() {
+    let robot = "<robot name='r'><link name='base'><inertial><mass value='1'/>\
+                 <inertia ixx='1' ixy='0' ixz='0' iyy='0.1' iyz='0' izz='0.1'/></inertial></link></robot>";
+    let of = |loads: &str, simulates: &str| {
+        let files = [
+            MANIFEST,
+            ("urdf/real.urdf", robot),
+            (
+                "urdf/sim.urdf",
+                "<robot name='s'><link name='base'/></robot>",
+            ),
+            ("launch/real.launch", loads),
+            ("launch/sim.launch", simulates),
+        ];
+        severity("inertia-triangle-inequality", &files)
+    };
+    let loads = "<param textfile='$(find arm)/urdf/real.urdf'/><node pkg='driver'/>";
+    let simulates = "<param textfile='$(find arm)/urdf/sim.urdf'/><include file='$(find gazebo_ros)/x.launch'/>";
+    assert_eq!(of(loads, simulates), Some(Severity::Info));
+    // a launch file that simulates includes the one that loads it
+    let includes = format!("{simulates}<include file='$(find arm)/launch/real.launch'/>");
+    assert_eq!(of(loads, &includes), Some(Severity::Warning));
+    assert_eq!(
+        of(loads, &simulates.replace("sim.urdf", "real.urdf")),
+        Some(Severity::Warning)
+    );
+}
+
+#[test]
+fn robots_that_only_programs_load() {
+    let robot = "<robot name='r'><link name='base'><inertial><mass value='1'/>\
+                 <inertia ixx='1' ixy='0' ixz='0' iyy='0.1' iyz='0' izz='0.1'/></inertial></link></robot>";
+    let of = |program: &str, launch: &str| {
+        let files = [
+            MANIFEST,
+            ("urdf/arm.urdf", robot),
+            (
+                "urdf/other.urdf",
+                "<robot name='o'><link name='o'/></robot>",
+            ),
+            ("scripts/reach.py", program),
+            ("launch/all.launch", launch),
+        ];
+        severity("inertia-triangle-inequality", &files)
+    };
+    // another robot is simulated with Gazebo Sim
+    let simulates = "<node pkg='ros_gz_sim'/><param textfile='$(find arm)/urdf/other.urdf'/>";
+    let reaches = "robot = ikpy.Chain.from_urdf_file('urdf/arm.urdf')";
+    assert_eq!(of(reaches, simulates), Some(Severity::Info));
+    let moves = "import mujoco\nmodel = load('urdf/arm.urdf')";
+    assert_eq!(of(moves, simulates), Some(Severity::Error));
+    let launches = simulates.replace("other.urdf", "arm.urdf");
+    assert_eq!(of(reaches, &launches), Some(Severity::Error));
+}
+
+#[test]
+fn robots_that_nothing_loads_beside_others() {
+    let robot = "<robot name='r'><link name='base'/><link name='tip'><visual><pose/></visual></link></robot>";
+    let of = |launch: &str, others: &[(&str, &str)]| {
+        let own = [
+            ("arm/package.xml", MANIFEST.1),
+            (
+                "arm/urdf/arm.urdf",
+                "<robot name='arm'><link name='base'/></robot>",
+            ),
+            ("arm/launch/arm.launch", launch),
+            (
+                "gripper/package.xml",
+                "<package><name>gripper</name></package>",
+            ),
+            ("gripper/urdf/gripper.xacro", robot),
+        ];
+        severity("unknown-element", &[&own, others].concat())
+    };
+    let plans = "<param textfile='$(find arm)/urdf/arm.urdf'/><node pkg='moveit_ros_move_group'/>";
+    assert_eq!(of(plans, &[]), Some(Severity::Info));
+    // who only shows robots may have them for others
+    let shows = plans.replace("moveit_ros_move_group", "rviz");
+    assert_eq!(of(&shows, &[]), Some(Severity::Warning));
+    // a page tells to use it; a robot that is loaded includes it; a launch file shows any robot
+    let page = ("gripper/README.md", "xacro urdf/gripper.xacro");
+    assert_eq!(of(plans, &[page]), Some(Severity::Warning));
+    let whole = (
+        "gripper/urdf/whole.xacro",
+        "<robot name='w' xmlns:xacro='x'><xacro:include filename='gripper.xacro'/></robot>",
+    );
+    let shows_whole = (
+        "gripper/launch/whole.launch",
+        "<param command='xacro $(find gripper)/urdf/whole.xacro'/>",
+    );
+    assert_eq!(of(plans, &[whole, shows_whole]), Some(Severity::Warning));
+    let shows_any = (
+        "gripper/launch/show.launch",
+        "<arg name='model'/><param command='xacro $(arg model)'/><node pkg='rviz'/>",
+    );
+    assert_eq!(of(plans, &[shows_any]), Some(Severity::Warning));
+}
+
+#[test]
+fn simulators_with_models_of_their_own() {
+    let robot = "<robot name='r'><link name='base'><inertial><mass value='1'/>\
+                 <inertia ixx='1' ixy='0' ixz='0' iyy='0.1' iyz='0' izz='0.1'/></inertial></link></robot>";
+    let of = |others: &[(&str, &str)]| {
+        let own = [
+            MANIFEST,
+            ("urdf/arm.urdf", robot),
+            (
+                "launch/arm.launch",
+                "<param textfile='$(find arm)/urdf/arm.urdf'/><node pkg='mujoco_ros2_control'/>",
+            ),
+        ];
+        severity("inertia-triangle-inequality", &[&own, others].concat())
+    };
+    assert_eq!(of(&[]), Some(Severity::Error));
+    let model = ("mjcf/arm.xml", "<mujoco model='arm'><worldbody/></mujoco>");
+    assert_eq!(of(&[model]), Some(Severity::Info));
+    // the launch file that an exporter writes, unless something starts it
+    let export = (
+        "launch/gazebo.launch",
+        "<param textfile='$(find arm)/urdf/arm.urdf'/><node pkg='gazebo_ros'/>",
+    );
+    assert_eq!(of(&[model, export]), Some(Severity::Info));
+    let starts = (
+        "launch/all.launch",
+        "<include file='$(find arm)/launch/gazebo.launch'/>",
+    );
+    assert!(of(&[model, export, starts]) > Some(Severity::Info));
+}
+
+#[test]
+fn parts_that_are_simulated_alone() {
+    let arm = "<robot name='r'><link name='base'><inertial><mass value='1'/>\
+               <inertia ixx='1' ixy='0' ixz='0' iyy='0.1' iyz='0' izz='0.1'/></inertial></link></robot>";
+    let of = |loads: &str| {
+        let files = [
+            MANIFEST,
+            ("urdf/arm.xacro", arm),
+            (
+                "urdf/planned.xacro",
+                "<robot name='p' xmlns:xacro='x'><xacro:include filename='arm.xacro'/></robot>",
+            ),
+            (
+                "launch/plan.launch",
+                "<param command='xacro $(find arm)/urdf/planned.xacro'/><node pkg='moveit_ros_move_group'/>",
+            ),
+            ("launch/sim.launch", loads),
+        ];
+        severity("inertia-triangle-inequality", &files)
+    };
+    assert_eq!(of(""), Some(Severity::Info));
+    // a launch file that spawns what another one loads belongs to all robots of its package
+    assert!(of("<node pkg='gazebo_ros'/>") > Some(Severity::Info));
+    let simulates = "<param command='xacro $(find arm)/urdf/arm.xacro'/><node pkg='gazebo_ros'/>";
+    assert!(of(simulates) > Some(Severity::Info));
+}

@@ -1,0 +1,171 @@
+//! What a text says of the programs that it runs, by the words in it.
+
+/// What the words of a text say together, as bits.
+#[derive(Clone, Copy, Default, PartialEq, Eq)]
+pub(super) struct TextWords(u16);
+
+/// Something needs masses and inertia: a simulator, or a library for dynamics.
+const MASSES: u16 = 1;
+/// The same, unless there is a model in the format of the simulator.
+const MASSES_UNLESS_OWN: u16 = 1 << 1;
+/// Something computes with every triangle of a collision mesh. Bullet, MuJoCo and Isaac take the convex hull of it.
+const TRIANGLES: u16 = 1 << 2;
+/// Something simulates, plans or controls.
+const SIMULATES: u16 = 1 << 3;
+/// A simulator that refuses a robot with a tensor that no body has: Gazebo Sim, MuJoCo, Drake. Gazebo Classic takes it.
+const REFUSES: u16 = 1 << 4;
+/// A model for MuJoCo or Isaac, which they read instead of a description.
+const OWN_MODEL: u16 = 1 << 5;
+/// Something starts controllers by their names.
+const STARTS: u16 = 1 << 6;
+/// Something spawns in Gazebo: a file of SDF, or a description that is a parameter or a topic.
+const SPAWNS: u16 = 1 << 7;
+const SDF: u16 = 1 << 8;
+const DESCRIPTION: u16 = 1 << 12;
+/// The one file of SDF that is a model and no world.
+const MODEL: u16 = 1 << 13;
+/// An element for Gazebo, and a part of it that only Gazebo runs.
+const GAZEBO_TAG: u16 = 1 << 9;
+const GAZEBO_PART: u16 = 1 << 10;
+/// A program builds the configuration of MoveIt.
+const BUILDS_MOVEIT: u16 = 1 << 11;
+
+/// The words, also as parts of others, and what each of them says.
+const WORDS: [(&str, u16); 53] = [
+    ("gazebo", MASSES | TRIANGLES | SIMULATES),
+    ("ros_gz", MASSES | TRIANGLES | SIMULATES | REFUSES),
+    ("ros_gz_sim", SPAWNS),
+    ("ros_ign", MASSES | TRIANGLES | SIMULATES | REFUSES),
+    ("gz_sim", MASSES | TRIANGLES | REFUSES),
+    ("gz sim", MASSES),
+    ("gz-sim", REFUSES),
+    ("gz_ros2_control", REFUSES),
+    ("ign_ros2_control", REFUSES),
+    ("ignition", REFUSES),
+    ("spawn_model", MASSES | SPAWNS),
+    ("spawn_entity", MASSES | SPAWNS),
+    ("spawn_urdf", MASSES),
+    ("-sdf", SDF | MODEL),
+    ("model.sdf", MODEL),
+    ("-param", DESCRIPTION),
+    ("-string", DESCRIPTION),
+    ("-topic", DESCRIPTION),
+    ("-urdf", DESCRIPTION),
+    (".sdf", SDF),
+    ("webots", MASSES | TRIANGLES | SIMULATES),
+    ("coppelia", MASSES | TRIANGLES),
+    ("vrep", MASSES | TRIANGLES),
+    ("bullet", MASSES),
+    ("pybullet", SIMULATES),
+    ("drake", MASSES | REFUSES),
+    ("raisim", MASSES),
+    ("genesis", MASSES),
+    ("warp.sim", MASSES),
+    ("wp.sim", MASSES),
+    ("sapien", MASSES),
+    ("dartsim", MASSES),
+    ("pinocchio", MASSES),
+    ("RigidBody", MASSES),
+    ("rbdl", MASSES),
+    ("RBDL", MASSES),
+    ("dynamics", MASSES),
+    ("Dynamics", MASSES),
+    ("mujoco", MASSES_UNLESS_OWN | SIMULATES | REFUSES),
+    ("isaac", MASSES_UNLESS_OWN | SIMULATES),
+    ("<worldbody", OWN_MODEL),
+    (".usd", OWN_MODEL),
+    ("moveit", TRIANGLES | SIMULATES),
+    ("MoveItConfigs", BUILDS_MOVEIT),
+    ("fcl", TRIANGLES),
+    ("hpp-", TRIANGLES),
+    ("controller_manager", SIMULATES),
+    ("spawner", STARTS),
+    ("load_controller", STARTS),
+    ("switch_controller", STARTS),
+    ("<gazebo", GAZEBO_TAG),
+    ("<plugin", GAZEBO_PART),
+    ("<sensor", GAZEBO_PART),
+];
+
+impl TextWords {
+    /// The words of a text.
+    pub fn of(text: &str) -> Self {
+        Self::among(text, u16::MAX)
+    }
+
+    /// Whether a text runs something that simulates, plans or controls: its other words are not looked for.
+    pub fn is_about_simulation(text: &str) -> bool {
+        Self::among(text, SIMULATES).simulates()
+    }
+
+    /// What the words of a text say of these bits. A word that says nothing new is not looked for.
+    fn among(text: &str, bits: u16) -> Self {
+        let add = |all: u16, &(word, says): &(&str, u16)| {
+            if says & bits & !all != 0 && text.contains(word) {
+                all | says & bits
+            } else {
+                all
+            }
+        };
+        Self(WORDS.iter().fold(0, add))
+    }
+
+    const fn has(self, bits: u16) -> bool {
+        self.0 & bits == bits
+    }
+
+    /// Whether a text runs something that needs masses and inertia, whatever else there is.
+    pub const fn weighs(self) -> bool {
+        self.has(MASSES)
+    }
+
+    /// Whether a text runs something that needs masses and inertia where it has no model of its own.
+    pub const fn weighs_unless_own(self) -> bool {
+        self.has(MASSES_UNLESS_OWN)
+    }
+
+    /// Whether a text runs something that computes with the triangles of collision meshes.
+    pub const fn meets(self) -> bool {
+        self.has(TRIANGLES)
+    }
+
+    /// Whether a text runs something that simulates, plans or controls.
+    pub const fn simulates(self) -> bool {
+        self.has(SIMULATES)
+    }
+
+    /// Whether a text runs a simulator that refuses a tensor that no body has, or is for one.
+    pub const fn refuses(self) -> bool {
+        self.has(REFUSES)
+    }
+
+    /// Whether a text is a model for MuJoCo, or loads one for Isaac.
+    pub const fn is_own_model(self) -> bool {
+        self.has(OWN_MODEL)
+    }
+
+    /// Whether a text starts controllers by their names.
+    pub const fn starts_controllers(self) -> bool {
+        self.has(STARTS)
+    }
+
+    /// Whether a launch file spawns a model of SDF in Gazebo.
+    pub const fn spawns_model(self) -> bool {
+        self.has(SPAWNS | SDF)
+    }
+
+    /// Whether all that a launch file spawns in Gazebo is a model of SDF.
+    pub const fn spawns_only_models(self) -> bool {
+        self.has(SPAWNS | MODEL) && !self.has(DESCRIPTION)
+    }
+
+    /// Whether a description has something that only Gazebo runs.
+    pub const fn is_for_gazebo(self) -> bool {
+        self.has(GAZEBO_TAG | GAZEBO_PART)
+    }
+
+    /// Whether a program builds the configuration of MoveIt from the names of packages.
+    pub const fn builds_moveit(self) -> bool {
+        self.has(BUILDS_MOVEIT)
+    }
+}
