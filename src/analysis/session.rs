@@ -331,6 +331,11 @@ impl Session {
         self.callers.never_simulate(file, &self.packages)
     }
 
+    /// Whether a description has something that only Gazebo runs.
+    pub(super) fn is_for_gazebo(&self, file: &Path) -> bool {
+        self.callers.is_for_gazebo(file, &self.packages)
+    }
+
     /// What is done with a description, as far as texts name it.
     pub(super) fn purpose_in_texts(&self, file: &Path) -> Option<Purpose> {
         self.callers.purpose(file, &self.packages)

@@ -89,19 +89,20 @@ impl Session {
             .skip(1)
             .filter(|part| self.is_loaded(&part.source.path))
             .filter_map(|part| self.purpose(&part.source.path));
-        let purpose = loaded.fold(own, Purpose::or);
+        let mut purpose = loaded.fold(own, Purpose::or);
+        // whoever gives it a plugin or sensor of Gazebo has it simulated
+        let mut files = parts.iter().map(|part| &part.source.path);
+        if files.any(|part| self.is_for_gazebo(part)) {
+            (purpose.is_weighed, purpose.is_met) = (true, true);
+        }
         // where robots are only shown, others may load what nothing here does, or simulate it
-        let is_used = purpose.is_loaded || purpose.is_applied && self.is_beside_loaded(file);
-        if !is_used {
+        let is_used = purpose.is_loaded || self.is_beside_loaded(file);
+        if !(purpose.is_applied && is_used) {
             return;
         }
         let is_unreached = may_be_unreached && !purpose.is_loaded && self.is_unreached(file);
         for finding in findings.iter_mut().filter(|finding| is_news(finding)) {
-            let is_warning = is_warning(finding);
-            // what is for simulators was written for one
-            let is_sure = purpose.is_applied || is_warning && !finding.rule.has(Trait::Simulation);
-            let is_idle = is_sure && is_without_effect(finding, purpose);
-            if is_idle || is_unreached && is_warning {
+            if is_unreached && is_warning(finding) || is_without_effect(finding, purpose) {
                 finding.severity = Severity::Info;
             }
         }

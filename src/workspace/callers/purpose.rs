@@ -113,6 +113,12 @@ impl Callers {
         Some(purpose)
     }
 
+    /// Whether a description has something that only Gazebo runs.
+    pub fn is_for_gazebo(&self, file: &Path, packages: &Packages) -> bool {
+        self.mentions(file, packages)
+            .is_some_and(|mentions| mentions.weighs(file))
+    }
+
     /// The texts that name a file, compute a part of its name, or take any: the last where no text names another description of its
     /// package.
     fn loaders(&self, file: &Path, mentions: &TextMentions, packages: &Packages) -> Vec<PathBuf> {
