@@ -124,7 +124,8 @@ fn robots_that_only_programs_load() {
 
 #[test]
 fn robots_that_nothing_loads_beside_others() {
-    let robot = "<robot name='r'><link name='base'/><link name='tip'><visual><pose/></visual></link></robot>";
+    let robot =
+        "<robot name='r'><link name='base'/><link name='tip'><origin xyz='0 0 1'/></link></robot>";
     let of = |launch: &str, others: &[(&str, &str)]| {
         let own = [
             ("arm/package.xml", MANIFEST.1),
