@@ -4,6 +4,10 @@ use rules::Severity;
 
 const MANIFEST: (&str, &str) = ("package.xml", "<package><name>arm</name></package>");
 
+/// A robot with moments of inertia that no body has.
+const IMPOSSIBLE: &str = "<robot name='r'><link name='base'><inertial><mass value='1'/>\
+    <inertia ixx='1' ixy='0' ixz='0' iyy='0.1' iyz='0' izz='0.1'/></inertial></link></robot>";
+
 /// The severity of the first place of a rule in these files.
 fn severity(rule: &str, files: &[(&str, &str)]) -> Option<Severity> {
     found(files, rule).first().map(|found| found.1)
@@ -11,12 +15,10 @@ fn severity(rule: &str, files: &[(&str, &str)]) -> Option<Severity> {
 
 #[test]
 fn inertia_that_nothing_computes_with() {
-    let robot = "<robot name='r'><link name='base'><inertial><mass value='1'/>\
-                 <inertia ixx='1' ixy='0' ixz='0' iyy='0.1' iyz='0' izz='0.1'/></inertial></link></robot>";
     let of = |launch: &str, others: &[(&str, &str)]| {
         let own = [
             MANIFEST,
-            ("urdf/arm.urdf", robot),
+            ("urdf/arm.urdf", IMPOSSIBLE),
             ("launch/arm.launch", launch),
         ];
         severity("inertia-triangle-inequality", &[&own, others].concat())
@@ -54,7 +56,7 @@ fn inertia_that_nothing_computes_with() {
     );
     assert_eq!(simulated(""), Some(Severity::Info));
     // a sign that is lost is a slip, whoever reads it
-    let negative = robot.replace("iyy='0.1'", "iyy='-0.1'");
+    let negative = IMPOSSIBLE.replace("iyy='0.1'", "iyy='-0.1'");
     let files = [
         MANIFEST,
         ("urdf/arm.urdf", negative.as_str()),
@@ -68,12 +70,10 @@ fn inertia_that_nothing_computes_with() {
 
 #[test]
 fn inertia_of_another_robot_than_the_simulated_one() {
-    let robot = "<robot name='r'><link name='base'><inertial><mass value='1'/>\
-                 <inertia ixx='1' ixy='0' ixz='0' iyy='0.1' iyz='0' izz='0.1'/></inertial></link></robot>";
     let of = |loads: &str, simulates: &str| {
         let files = [
             MANIFEST,
-            ("urdf/real.urdf", robot),
+            ("urdf/real.urdf", IMPOSSIBLE),
             (
                 "urdf/sim.urdf",
                 "<robot name='s'><link name='base'/></robot>",
@@ -97,12 +97,10 @@ fn inertia_of_another_robot_than_the_simulated_one() {
 
 #[test]
 fn robots_that_only_programs_load() {
-    let robot = "<robot name='r'><link name='base'><inertial><mass value='1'/>\
-                 <inertia ixx='1' ixy='0' ixz='0' iyy='0.1' iyz='0' izz='0.1'/></inertial></link></robot>";
     let of = |program: &str, launch: &str| {
         let files = [
             MANIFEST,
-            ("urdf/arm.urdf", robot),
+            ("urdf/arm.urdf", IMPOSSIBLE),
             (
                 "urdf/other.urdf",
                 "<robot name='o'><link name='o'/></robot>",
@@ -168,12 +166,10 @@ fn robots_that_nothing_loads_beside_others() {
 
 #[test]
 fn simulators_with_models_of_their_own() {
-    let robot = "<robot name='r'><link name='base'><inertial><mass value='1'/>\
-                 <inertia ixx='1' ixy='0' ixz='0' iyy='0.1' iyz='0' izz='0.1'/></inertial></link></robot>";
     let of = |others: &[(&str, &str)]| {
         let own = [
             MANIFEST,
-            ("urdf/arm.urdf", robot),
+            ("urdf/arm.urdf", IMPOSSIBLE),
             (
                 "launch/arm.launch",
                 "<param textfile='$(find arm)/urdf/arm.urdf'/><node pkg='mujoco_ros2_control'/>",
@@ -199,12 +195,10 @@ fn simulators_with_models_of_their_own() {
 
 #[test]
 fn parts_that_are_simulated_alone() {
-    let arm = "<robot name='r'><link name='base'><inertial><mass value='1'/>\
-               <inertia ixx='1' ixy='0' ixz='0' iyy='0.1' iyz='0' izz='0.1'/></inertial></link></robot>";
     let of = |loads: &str| {
         let files = [
             MANIFEST,
-            ("urdf/arm.xacro", arm),
+            ("urdf/arm.xacro", IMPOSSIBLE),
             (
                 "urdf/planned.xacro",
                 "<robot name='p' xmlns:xacro='x'><xacro:include filename='arm.xacro'/></robot>",

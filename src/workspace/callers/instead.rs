@@ -34,12 +34,8 @@ impl Callers {
 
     /// Whether a launch file around `file` loads a description that is there.
     pub fn launch_any(&self, file: &Path, packages: &Packages) -> bool {
-        self.around(file, packages).is_some_and(|all| {
-            let launches = all.callers.iter().filter(|caller| caller.is_launch());
-            launches
-                .flat_map(|caller| caller.descriptions.keys())
-                .any(|name| all.files.contains_key(name))
-        })
+        self.around(file, packages)
+            .is_some_and(|all| names_any(&all, Caller::is_launch))
     }
 
     /// Whether a launch file or program around `file` that names a description simulates, plans or controls something.
@@ -55,15 +51,8 @@ impl Callers {
         let has_model = |mentions: Arc<TextMentions>| {
             mentions.is_whole && mentions.runs && mentions.has_own_model
         };
-        let loads = |all: Arc<Uses>| {
-            let loaders = all
-                .callers
-                .iter()
-                .filter(|caller| caller.is_launch() || caller.is_program());
-            loaders
-                .flat_map(|caller| caller.descriptions.keys())
-                .any(|name| all.files.contains_key(name))
-        };
+        let loads =
+            |all: Arc<Uses>| names_any(&all, |caller| caller.is_launch() || caller.is_program());
         self.around(file, packages).is_some_and(loads)
             || self.mentions(file, packages).is_some_and(has_model)
     }
@@ -117,4 +106,12 @@ impl Callers {
                 || !all.callers.iter().any(Caller::is_launch)
                     && all.load_another(file, packages, Caller::is_program))
     }
+}
+
+/// Whether a caller of a kind names a description that is there.
+fn names_any(all: &Uses, is_of_kind: impl Fn(&Caller) -> bool) -> bool {
+    let callers = all.callers.iter().filter(|caller| is_of_kind(caller));
+    callers
+        .flat_map(|caller| caller.descriptions.keys())
+        .any(|name| all.files.contains_key(name))
 }
