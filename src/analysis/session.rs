@@ -214,6 +214,11 @@ impl Session {
         self.callers.name(file, &self.packages)
     }
 
+    /// Whether a file that counts names a description.
+    pub(super) fn is_named_where(&self, file: &Path, counts: impl Fn(&Path) -> bool) -> bool {
+        self.callers.name_where(file, &self.packages, counts)
+    }
+
     /// Whether something that runs, not a page, loads a description.
     pub(super) fn is_loaded(&self, file: &Path) -> bool {
         self.callers.load(file, &self.packages)

@@ -14,7 +14,7 @@ use vfs::SourceFile;
 use workspace::{Caller, Era};
 
 /// Words in the name of a file or folder that say that it is kept and not used.
-const KEPT: [&str; 18] = [
+const KEPT: [&str; 19] = [
     "archive",
     "archived",
     "attic",
@@ -30,6 +30,7 @@ const KEPT: [&str; 18] = [
     "original",
     "outdated",
     "past",
+    "temp",
     "testing",
     "tmp",
     "unused",
@@ -69,7 +70,7 @@ impl Session {
         if robot.is_some_and(is_list_of_joints)
             || self.is_wrong_on_purpose(&task.file)
             || self.is_for_tests(&task.file)
-            || self.packages.is_never_built(&task.file)
+            || self.packages.is_never_built(&task.file) && !self.is_named_in_use(&task.file)
         {
             lower(findings);
         } else if self.is_set_aside(&task.file) {
@@ -267,7 +268,7 @@ impl Session {
     /// Whether nobody names a file though its path says that it is old or a copy, or the launch files of its package load
     /// others. A template is filled by a script that names it.
     fn is_unnamed(&self, file: &Path) -> bool {
-        !self.is_named(file) && self.is_given_up(file)
+        !self.is_named_in_use(file) && self.is_given_up(file)
             || is_template(file) && !self.is_launched(file)
             || self.is_only_written(file)
     }
@@ -284,9 +285,9 @@ impl Session {
 
     /// Whether the path of a file says that it is kept and not used.
     pub(super) fn is_kept(&self, file: &Path) -> bool {
-        self.words_of(file)
-            .iter()
-            .any(|word| KEPT.contains(&word.as_str()))
+        let words = self.words_of(file);
+        words.iter().any(|word| KEPT.contains(&word.as_str()))
+            || words.windows(2).any(|pair| pair == ["not", "used"])
     }
 
     /// Whether the folder of a relative mesh lies in one above the file, where Bullet looks as well.

@@ -62,8 +62,8 @@ impl Session {
         self.lower_where(findings, is_unread, info);
     }
 
-    /// What matters only to simulators and planners is an info where none of them gets the robot, and so is a warning about a robot
-    /// that nothing loads while others are loaded. What loads one of the `parts` of a robot gets that part.
+    /// What matters only to simulators and planners is an info where none of them gets the robot, and so is what is wrong in a robot
+    /// that nothing loads while others are loaded, unless it cannot be loaded. What loads one of the `parts` of a robot gets that part.
     pub(super) fn settle_by_purpose(
         &self,
         file: &Path,
@@ -71,13 +71,12 @@ impl Session {
         findings: &mut [Finding],
     ) {
         let is_news = |finding: &Finding| finding.severity > Severity::Info;
-        let is_warning = |finding: &Finding| finding.severity == Severity::Warning;
         let is_about_use =
             |finding: &Finding| is_news(finding) && is_without_effect(finding, Purpose::default());
         // to read all texts takes longer than to ask those that name descriptions
         let is_unnamed =
-            || self.is_beside_moved(file) && !self.is_loaded(file) && !self.is_named(file);
-        let may_be_unreached = findings.iter().any(is_warning) && is_unnamed();
+            || self.is_beside_moved(file) && !self.is_named_in_use(file);
+        let may_be_unreached = findings.iter().any(is_news) && is_unnamed();
         if !may_be_unreached && !findings.iter().any(is_about_use) {
             return;
         }
@@ -102,7 +101,7 @@ impl Session {
         }
         let is_unreached = may_be_unreached && !purpose.is_loaded && self.is_unreached(file);
         for finding in findings.iter_mut().filter(|finding| is_news(finding)) {
-            if is_unreached && is_warning(finding) || is_without_effect(finding, purpose) {
+            if is_unreached && !is_about_loading(finding) || is_without_effect(finding, purpose) {
                 finding.severity = Severity::Info;
             }
         }
@@ -124,10 +123,15 @@ impl Session {
     fn is_unreached(&self, file: &Path) -> bool {
         let is_passed = |file: &Path| {
             self.purpose(file).is_some_and(|purpose| !purpose.is_loaded)
-                && !self.is_named(file)
+                && !self.is_named_in_use(file)
                 && !self.is_for_assistant(file)
         };
         self.holds_above(file, is_passed)
+    }
+
+    /// Whether a text names a file that somebody may run or read.
+    pub(super) fn is_named_in_use(&self, file: &Path) -> bool {
+        self.is_named_where(file, |by| !self.is_launch_left_over(by))
     }
 
     /// Whether nobody runs a launch file: it is kept, in a package that was put aside or is not built, or for ROS 1 in a package for
@@ -241,6 +245,13 @@ fn is_without_effect(finding: &Finding, purpose: Purpose) -> bool {
     about_masses && !purpose.is_weighed
         || rule.has(Trait::Contact) && !purpose.is_met
         || rule.has(Trait::Simulation) && !purpose.is_weighed && !purpose.is_met
+}
+
+/// Whether a finding is an error for whoever loads the file at all, whatever it is used for: xacro or a parser stops, or a file is
+/// missing.
+fn is_about_loading(finding: &Finding) -> bool {
+    let is_of_xacro = finding.problem.is_some() || finding.rule.has(Trait::Reveals);
+    finding.severity == Severity::Error && (is_of_xacro || finding.rule == named::MESH_NOT_FOUND)
 }
 
 /// The file that an expression reads and that is missing.

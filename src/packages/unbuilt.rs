@@ -16,12 +16,15 @@ const CATKIN_MARK: &str = "CATKIN_IGNORE";
 /// What `catkin_make` writes into the top folder of a workspace, of which it builds the folder [`SOURCES`].
 const CATKIN_WORKSPACE: &str = ".catkin_workspace";
 
+/// What builds a package.
+const BUILD_SCRIPTS: [&str; 2] = ["CMakeLists.txt", "setup.py"];
+
 /// The folder of a workspace in which its packages lie.
 const SOURCES: &str = "src";
 
 impl Packages {
     /// Whether the build tools pass over the package of a file: a folder around it is marked for that, it lies in another
-    /// package of the same name, or beside the folder `src` of a workspace of catkin.
+    /// package, or beside the folder `src` of a workspace of catkin.
     pub fn is_never_built(&self, file: &Path) -> bool {
         self.containing(file).is_some_and(|package| {
             self.unbuilt
@@ -63,10 +66,13 @@ impl Packages {
         self.generation(file) == Some(RosVersion::Ros1)
     }
 
-    /// Whether a folder above a package is a package of the same name, since tools look for none inside of one, or the top of a
-    /// workspace of catkin with its sources elsewhere.
+    /// Whether a folder above a package is a package that is built, since tools look for none inside of one, or of the same name, or the
+    /// top of a workspace of catkin with its sources elsewhere.
     fn passes_over(&self, folder: &Path, entries: &[DirEntry], package: &Package) -> bool {
-        has(entries, MANIFEST) && package_name(&self.vfs, folder).as_ref() == Some(&package.name)
+        let outer = || package_name(&self.vfs, folder);
+        let is_built = || BUILD_SCRIPTS.iter().any(|name| has(entries, name));
+        has(entries, MANIFEST)
+            && outer().is_some_and(|outer| outer == package.name || is_built())
             || has(entries, CATKIN_WORKSPACE)
                 && has(entries, SOURCES)
                 && !package.folder.starts_with(folder.join(SOURCES))
@@ -123,6 +129,8 @@ mod tests {
         check_built(&[outer, inner], "urdf/arm.urdf", true);
         let other = ("arm/package.xml", "<package><name>hand</name></package>");
         check_built(&[outer, other], "arm/urdf/arm.urdf", true);
+        let script = ("CMakeLists.txt", "project(arm)");
+        check_built(&[outer, other, script], "arm/urdf/arm.urdf", false);
     }
 
     #[test]

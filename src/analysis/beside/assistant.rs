@@ -36,6 +36,8 @@ impl Session {
         let Some(assistant) = assistant.filter(|_| is_read) else {
             return Vec::new();
         };
+        // the assistant itself asks for another file
+        let is_needed = self.has_moveit_builder(&own.path);
         let mut found = Vec::new();
         if let (Some(srdf), Some(package)) = (&assistant.srdf, &package)
             && self.is_not_there(&package.folder.join(srdf.name.as_str()))
@@ -47,7 +49,7 @@ impl Session {
                 path.starts_with(&package.folder) && path.to_string_lossy().ends_with(".srdf.xacro")
             };
             let is_made = self.beside_around(&own.path).iter().any(is_source);
-            found.push(at_most_info(finding, is_made || is_for_windows(srdf)));
+            found.push(at_most_info(finding, !is_needed || is_made || is_for_windows(srdf)));
         }
         let (Some(name), Some(urdf)) = (&assistant.package, &assistant.urdf) else {
             return found;
@@ -63,7 +65,7 @@ impl Session {
         if self.is_not_there(&file) {
             let finding =
                 setup_assistant_file_not_found(span_of(own, urdf), &urdf.name, &name.name);
-            found.push(at_most_info(finding, is_for_windows(urdf)));
+            found.push(at_most_info(finding, !is_needed || is_for_windows(urdf)));
         }
         if self.vfs.is_file(&file) {
             found.extend(self.assistant_failure(own, assistant, &file, robots, cancel));

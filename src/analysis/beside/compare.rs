@@ -210,7 +210,7 @@ impl Session {
             names.extend(&names_of(&paired.unused));
             srdfs
                 .clone()
-                .for_each(|(srdf, _)| self.add_written(&srdf.root.file, &mut names));
+                .for_each(|(srdf, _)| self.add_written(&srdf.root.file, None, &mut names));
             names
         };
         let has_variants = srdfs.clone().any(|(srdf, _)| has_choices(&srdf.expansion));
@@ -269,7 +269,7 @@ impl Session {
     fn further_names(&self, paired: &[Arc<RootAnalysis>], cancel: &CancelFlag) -> RobotNames {
         let mut names = RobotNames::default();
         for analyzed in paired {
-            self.add_written(&analyzed.root.file, &mut names);
+            self.add_written(&analyzed.root.file, Some(analyzed), &mut names);
             match analyzed.further.get() {
                 Some(known) => names.extend(known),
                 None => {
@@ -295,7 +295,7 @@ impl Session {
             .iter()
             .flat_map(|pairing| &pairing.roots)
         {
-            self.add_written(&root.file, &mut names);
+            self.add_written(&root.file, None, &mut names);
         }
         names.links.contains(name)
     }
@@ -313,13 +313,14 @@ impl Session {
     }
 
     /// Add the names that the texts of a file and of those that it may include spell out, in branches and macros that take
-    /// no part too.
-    fn add_written(&self, root: &Path, names: &mut RobotNames) {
+    /// no part too. Files that the robot does not read now may be those of another one: their names count without a prefix.
+    fn add_written(&self, root: &Path, robot: Option<&RootAnalysis>, names: &mut RobotNames) {
         let mut files = vec![root.to_owned()];
         let mut next = 0;
         while let Some(source) = files.get(next).map(|file| self.vfs.document(file)) {
             next += 1;
             let Ok(source) = source else { continue };
+            let is_read = robot.is_none_or(|robot| robot.includes(&source.path));
             let nodes = source
                 .document
                 .parts()
@@ -341,7 +342,8 @@ impl Session {
                     "group" if node.child_elements().next().is_some() => &mut names.groups,
                     _ => continue,
                 };
-                let Some(name) = spelled(node, "name") else {
+                let unprefixed = || without_prefix(node, "name").filter(|_| !is_read);
+                let Some(name) = spelled(node, "name").or_else(unprefixed) else {
                     continue;
                 };
                 list.insert(name);
@@ -366,6 +368,14 @@ impl Session {
 fn spelled(node: Node<'_>, attribute: &str) -> Option<EcoString> {
     let value = node.attr(attribute)?.raw();
     (!value.contains('$')).then(|| value.into())
+}
+
+/// The value of an attribute behind a single property at its start: `joint7` of `${prefix}joint7`.
+fn without_prefix(node: Node<'_>, attribute: &str) -> Option<EcoString> {
+    let value = node.attr(attribute)?.raw();
+    let (property, rest) = value.strip_prefix("${")?.split_once('}')?;
+    let is_name = property.chars().all(|c| c.is_alphanumeric() || c == '_');
+    (is_name && !rest.is_empty() && !rest.contains('$')).then(|| rest.into())
 }
 
 /// The place of a joint, as far as the text spells it out.

@@ -141,7 +141,9 @@ fn check_with(
         let class = class_of(cx, controller);
         let fixed = COMMANDED.iter().filter(|(of, ..)| Some(*of) == class);
         let is_fixed = fixed.clone().next().is_some();
-        for (interface, is_command) in interfaces(controller).filter(|_| !is_fixed) {
+        let is_read = |is_command| is_command || !class.is_some_and(is_blind);
+        let named = interfaces(controller).filter(|&(_, is_command)| !is_fixed && is_read(is_command));
+        for (interface, is_command) in named {
             // with joints of their own, commands are not for `joints`
             let key = if is_command
                 && controller
@@ -188,6 +190,12 @@ fn joints<'a>(controller: &'a Controller, key: &str) -> impl Iterator<Item = &'a
         .iter()
         .filter(move |(own, _)| own == key)
         .map(|(_, joint)| joint)
+}
+
+/// Whether controllers of a class claim no state interfaces, whatever their parameters list.
+/// Source: `state_interface_configuration` of `forward_command_controller` in ros2_controllers.
+fn is_blind(class: &str) -> bool {
+    class.starts_with("forward_command_controller/")
 }
 
 /// The class of a controller: its own parameter, or what a controller manager says.

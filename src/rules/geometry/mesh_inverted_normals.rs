@@ -2,6 +2,7 @@
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
+use super::resources::MeshUse;
 
 pub(super) static RULE: Rule = Rule {
     code: "GEO008",
@@ -35,8 +36,20 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             );
             out.report(mesh.file.origin, message)
                 .group(mesh.folder_group())
+                .severity(severity(cx, &mesh))
                 .help("flip the normals in a mesh editor; the triangles face inward")
                 .done();
         }
+    }
+}
+
+/// How bad it is: planners do not ask which side of a triangle is outside, and a robot without any mass is for them.
+fn severity(cx: &DocumentCx<'_>, mesh: &MeshUse<'_>) -> Severity {
+    let is_shown = |other: MeshUse<'_>| !other.is_collision && other.file.value == mesh.file.value;
+    let is_simulated = cx.links().iter().any(|link| link.inertial.is_some());
+    if is_simulated || !mesh.is_collision || cx.meshes().any(is_shown) {
+        RULE.severity
+    } else {
+        Severity::Info
     }
 }

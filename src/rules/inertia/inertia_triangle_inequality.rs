@@ -5,7 +5,7 @@ use super::super::context::DocumentCx;
 use super::super::grouping::Group;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::joined::{is_in_world, is_small_part};
+use super::joined::{is_built_into_world, is_in_world, is_small_part};
 use super::moments::{InertiaClass, inertia_tag, inertials, short, verdict};
 use model::{Inertial, JointType, Link, transform};
 
@@ -43,7 +43,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         };
         let is_rotor = rotors == ROTORS && has_rotor(&(link, inertial));
         // what never moves here may be a part that moves elsewhere
-        let severity = if !is_error(cx, link, inertial) || is_rotor {
+        let is_idle = is_rotor || is_built_into_world(cx, link);
+        let severity = if is_idle || !is_error(cx, link, inertial) {
             Severity::Info
         } else if is_in_world(cx, link) {
             Severity::Warning

@@ -6,6 +6,7 @@ use super::super::context::DocumentCx;
 use super::super::geometry::{Extent, extent_of};
 use super::super::vocabulary::is_surroundings;
 use base::FastSet;
+use expand::XId;
 use model::{Bounds, Joint, JointType, Link, transform};
 
 /// A geometry whose box has half a diagonal up to this length in meters is a marker: it does not show the shape.
@@ -48,24 +49,40 @@ pub(super) fn is_small_part(cx: &DocumentCx<'_>, link: &Link, mass: f64) -> bool
 
 /// Whether a link never moves: a chain of fixed joints leads up to the world.
 pub(super) fn is_in_world(cx: &DocumentCx<'_>, link: &Link) -> bool {
+    chain_to_world(cx, link).is_some()
+}
+
+/// Whether a link never moves, wherever its file is used: the fixed joints that lead up to the world stand beside it, in the same
+/// file and macro.
+pub(super) fn is_built_into_world(cx: &DocumentCx<'_>, link: &Link) -> bool {
+    let place = |element: XId| {
+        let origin = cx.expansion.tree.get(element).origin;
+        Some((cx.expansion.place(origin)?.file, origin.frame))
+    };
+    let own = place(link.element);
+    chain_to_world(cx, link)
+        .is_some_and(|chain| own.is_some() && chain.iter().all(|joint| place(joint.element) == own))
+}
+
+/// The fixed joints that lead from a link up to the world; none when it can move.
+fn chain_to_world<'a>(cx: &'a DocumentCx<'_>, link: &'a Link) -> Option<Vec<&'a Joint>> {
     let mut name = link.shown();
+    let mut chain = Vec::new();
     for _ in 0..=cx.joints().len() {
         if is_surroundings(name) {
-            return true;
+            return Some(chain);
         }
         let &[joint] = joints_above(cx, name) else {
-            return false;
+            return None;
         };
-        let Some(parent) = joint
-            .parent
-            .as_ref()
-            .filter(|_| joint.is(&[JointType::Fixed]))
-        else {
-            return false;
-        };
-        name = parent.value.as_str();
+        let parent = joint.parent.as_ref();
+        name = parent
+            .filter(|_| joint.is(&[JointType::Fixed]))?
+            .value
+            .as_str();
+        chain.push(joint);
     }
-    false
+    None
 }
 
 /// The box of visuals and collisions together; none when there are none, or a part of it is not known.

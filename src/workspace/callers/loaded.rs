@@ -12,9 +12,19 @@ use packages::Packages;
 impl Callers {
     /// Whether a file names the description `file`.
     pub fn name(&self, file: &Path, packages: &Packages) -> bool {
+        self.name_where(file, packages, |_| true)
+    }
+
+    /// Whether a file that counts names the description `file`.
+    pub fn name_where(
+        &self,
+        file: &Path,
+        packages: &Packages,
+        counts: impl Fn(&Path) -> bool,
+    ) -> bool {
         self.of(file, packages)
             .iter()
-            .any(|caller| caller.descriptions.contains_key(name_of(file)))
+            .any(|caller| caller.descriptions.contains_key(name_of(file)) && counts(&caller.path))
     }
 
     /// Whether something that runs names the description `file`, in part at least; a page does not run.
