@@ -309,10 +309,19 @@ fn is_below_others(folder: &Path) -> bool {
     above.is_some_and(|above| OTHERS.iter().any(|name| above.eq_ignore_ascii_case(name)))
 }
 
+/// Whether a folder has a mark of a repository, or holds packages with a page and a license or `.gitignore` of its own.
 fn has_mark(vfs: &Vfs, folder: &Path) -> bool {
-    vfs.list_dir(folder)
+    let entries = vfs.list_dir(folder);
+    let has = |starts: &[&str]| {
+        entries
+            .iter()
+            .any(|entry| starts.iter().any(|start| entry.name.to_uppercase().starts_with(start)))
+    };
+    let is_package = entries.iter().any(|entry| entry.name == MANIFEST);
+    entries
         .iter()
         .any(|entry| MARKS.contains(&entry.name.as_str()))
+        || !is_package && has(&["README"]) && has(&["LICENSE", ".GITIGNORE"])
 }
 
 /// A copy one of whose packages shares people or the first word of its name with one of this repository, or one that it needs: with
