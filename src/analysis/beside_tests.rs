@@ -445,3 +445,33 @@ fn a_robot_in_a_file_of_the_same_name_elsewhere() {
     assert_eq!(paired_with("urdf/other.urdf"), 1);
     assert_eq!(paired_with("urdf/tool.urdf"), 0);
 }
+
+#[test]
+fn joints_of_a_variant_that_is_not_the_default() {
+    let main = "<robot name='arm' xmlns:xacro='http://www.ros.org/wiki/xacro'><xacro:arg name='dof' default='1'/>\
+        <xacro:property name='dof' value='$(arg dof)'/><link name='base'/><xacro:macro name='arm' params=\"prefix:=''\">\
+        <link name='${prefix}tip'/><joint name='${prefix}lift' type='fixed'><parent link='base'/><child link='${prefix}tip'/></joint>\
+        </xacro:macro><xacro:if value='${dof == 2}'><xacro:include filename='long.xacro'/><xacro:long prefix=''/></xacro:if>\
+        <xacro:unless value='${dof == 2}'><xacro:arm prefix='a_'/></xacro:unless></robot>";
+    let long = "<robot xmlns:xacro='http://www.ros.org/wiki/xacro'><xacro:macro name='long' params='prefix'>\
+        <joint name='${prefix}turn' type='fixed'><parent link='base'/><child link='x'/></joint></xacro:macro></robot>";
+    let of = |joint: &str| {
+        let settings = format!(
+            "controller_names: [go]\ngo:\n  type: FollowJointTrajectory\n  joints: [{joint}]\n"
+        );
+        let files = [
+            ("urdf/arm.urdf.xacro", main),
+            ("urdf/long.xacro", long),
+            ("config/controllers.yaml", settings.as_str()),
+            (
+                "config/arm.srdf",
+                "<robot name='arm'><group name='g'><link name='base'/></group></robot>",
+            ),
+        ];
+        found(&files, "moveit-controller-unknown-joint").len()
+    };
+    assert_eq!(of("turn"), 0);
+    // the robot reads that file, with a prefix
+    assert_eq!(of("lift"), 1);
+    assert_eq!(of("tilt"), 1);
+}

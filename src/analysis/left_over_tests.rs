@@ -360,11 +360,14 @@ fn semantic_descriptions_that_a_program_makes() {
         )
     };
     let source = ("config/srdf/parts.srdf.xacro", "<robot name='lamp'/>");
-    assert_eq!(of(assistant, &[]), Some(Severity::Warning));
-    assert_eq!(of(assistant, &[source]), Some(Severity::Info));
+    let builder = ("launch/demo.launch.py", "MoveItConfigsBuilder('lamp')");
+    assert_eq!(of(assistant, &[builder]), Some(Severity::Warning));
+    assert_eq!(of(assistant, &[builder, source]), Some(Severity::Info));
+    // the assistant itself asks for another file
+    assert_eq!(of(assistant, &[]), Some(Severity::Info));
     // written on Windows
     let of_windows = assistant.replace("config/", "config\\");
-    assert_eq!(of(&of_windows, &[]), Some(Severity::Info));
+    assert_eq!(of(&of_windows, &[builder]), Some(Severity::Info));
 }
 
 #[test]
@@ -457,15 +460,38 @@ fn launch_files_that_spawn_other_models() {
 
 #[test]
 fn packages_that_are_not_built() {
-    let of = |mark: &str| {
+    let of = |mark: &str, others: &[(&str, &str)]| {
         let mark = format!("src/parts/{mark}");
-        let files = [
+        let own = [
             ("src/parts/lamp/package.xml", MANIFEST.1),
             ("src/parts/lamp/urdf/lamp.urdf", BROKEN),
             (mark.as_str(), ""),
         ];
-        severity_of("src/parts/lamp/urdf/lamp.urdf", &files, "missing-element")
+        severity_of(
+            "src/parts/lamp/urdf/lamp.urdf",
+            &[&own, others].concat(),
+            "missing-element",
+        )
     };
-    assert_eq!(of("COLCON_IGNORE"), Some(Severity::Info));
-    assert_eq!(of("README"), Some(Severity::Error));
+    assert_eq!(of("COLCON_IGNORE", &[]), Some(Severity::Info));
+    assert_eq!(of("README", &[]), Some(Severity::Error));
+    // a package inside of another one is not built either
+    let outer = [
+        (
+            "src/parts/package.xml",
+            "<package><name>parts</name></package>",
+        ),
+        ("src/parts/CMakeLists.txt", "project(parts)"),
+    ];
+    assert_eq!(of("README", &outer), Some(Severity::Info));
+    // its own launch files are not installed; those of the package around it may load its files
+    let load = "<param textfile='lamp/urdf/lamp.urdf'/>";
+    let inside = [
+        outer[0],
+        outer[1],
+        ("src/parts/lamp/launch/lamp.launch", load),
+    ];
+    assert_eq!(of("README", &inside), Some(Severity::Info));
+    let outside = [outer[0], outer[1], ("src/parts/launch/lamp.launch", load)];
+    assert_eq!(of("README", &outside), Some(Severity::Error));
 }

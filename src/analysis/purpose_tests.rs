@@ -165,6 +165,39 @@ fn robots_that_nothing_loads_beside_others() {
 }
 
 #[test]
+fn errors_in_robots_that_nothing_loads_beside_others() {
+    let of = |rule: &str, inner: &str| {
+        let robot = format!("<robot name='g' xmlns:xacro='x'><link name='palm'/>{inner}</robot>");
+        let files = [
+            ("arm/package.xml", MANIFEST.1),
+            (
+                "arm/urdf/arm.urdf",
+                "<robot name='arm'><link name='base'/></robot>",
+            ),
+            (
+                "arm/launch/arm.launch",
+                "<param textfile='$(find arm)/urdf/arm.urdf'/><node pkg='moveit_ros_move_group'/>",
+            ),
+            (
+                "gripper/package.xml",
+                "<package><name>gripper</name></package>",
+            ),
+            ("gripper/urdf/gripper.xacro", robot.as_str()),
+        ];
+        severity(rule, &files)
+    };
+    assert_eq!(
+        of("orphan-link", "<link name='finger'/>"),
+        Some(Severity::Info)
+    );
+    // nobody can load it at all
+    let missing = "<xacro:include filename='finger.xacro'/>";
+    assert_eq!(of("include-not-found", missing), Some(Severity::Error));
+    let computed = "<link name='${finger}'/>";
+    assert_eq!(of("undefined-property", computed), Some(Severity::Error));
+}
+
+#[test]
 fn simulators_with_models_of_their_own() {
     let of = |others: &[(&str, &str)]| {
         let own = [

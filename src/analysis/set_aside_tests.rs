@@ -56,6 +56,15 @@ fn old_files_that_nobody_uses() {
         ("old/see.launch", "<param textfile='old/arm.urdf'/>"),
     ];
     assert_eq!(severity(&named), Some(Severity::Error));
+    // beside a robot that is not kept, a launch file that is kept says nothing
+    let other = ("urdf/new.urdf", "<robot name='n'><link name='n'/></robot>");
+    let beside = [named[0], named[1], other];
+    assert_eq!(severity(&beside), Some(Severity::Info));
+    let page = ("README.md", "xacro old/arm.urdf");
+    assert_eq!(
+        severity(&[named[0], named[1], other, page]),
+        Some(Severity::Error)
+    );
 }
 
 #[test]

@@ -74,8 +74,7 @@ impl Session {
         let is_about_use =
             |finding: &Finding| is_news(finding) && is_without_effect(finding, Purpose::default());
         // to read all texts takes longer than to ask those that name descriptions
-        let is_unnamed =
-            || self.is_beside_moved(file) && !self.is_named_in_use(file);
+        let is_unnamed = || self.is_beside_moved(file) && !self.is_named_in_use(file);
         let may_be_unreached = findings.iter().any(is_news) && is_unnamed();
         if !may_be_unreached && !findings.iter().any(is_about_use) {
             return;
@@ -129,9 +128,15 @@ impl Session {
         self.holds_above(file, is_passed)
     }
 
-    /// Whether a text names a file that somebody may run or read.
+    /// Whether a text names a file that is not left over. Where all descriptions are kept, that says nothing about them.
     pub(super) fn is_named_in_use(&self, file: &Path) -> bool {
+        let are_all_kept = || {
+            self.descriptions_around(file)
+                .iter()
+                .all(|other| self.is_kept(other))
+        };
         self.is_named_where(file, |by| !self.is_launch_left_over(by))
+            || self.is_named(file) && are_all_kept()
     }
 
     /// Whether nobody runs a launch file: it is kept, in a package that was put aside or is not built, or for ROS 1 in a package for

@@ -71,8 +71,7 @@ impl Packages {
     fn passes_over(&self, folder: &Path, entries: &[DirEntry], package: &Package) -> bool {
         let outer = || package_name(&self.vfs, folder);
         let is_built = || BUILD_SCRIPTS.iter().any(|name| has(entries, name));
-        has(entries, MANIFEST)
-            && outer().is_some_and(|outer| outer == package.name || is_built())
+        has(entries, MANIFEST) && outer().is_some_and(|outer| outer == package.name || is_built())
             || has(entries, CATKIN_WORKSPACE)
                 && has(entries, SOURCES)
                 && !package.folder.starts_with(folder.join(SOURCES))

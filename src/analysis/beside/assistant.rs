@@ -49,7 +49,10 @@ impl Session {
                 path.starts_with(&package.folder) && path.to_string_lossy().ends_with(".srdf.xacro")
             };
             let is_made = self.beside_around(&own.path).iter().any(is_source);
-            found.push(at_most_info(finding, !is_needed || is_made || is_for_windows(srdf)));
+            found.push(at_most_info(
+                finding,
+                !is_needed || is_made || is_for_windows(srdf),
+            ));
         }
         let (Some(name), Some(urdf)) = (&assistant.package, &assistant.urdf) else {
             return found;

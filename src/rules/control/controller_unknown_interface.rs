@@ -142,7 +142,8 @@ fn check_with(
         let fixed = COMMANDED.iter().filter(|(of, ..)| Some(*of) == class);
         let is_fixed = fixed.clone().next().is_some();
         let is_read = |is_command| is_command || !class.is_some_and(is_blind);
-        let named = interfaces(controller).filter(|&(_, is_command)| !is_fixed && is_read(is_command));
+        let named =
+            interfaces(controller).filter(|&(_, is_command)| !is_fixed && is_read(is_command));
         for (interface, is_command) in named {
             // with joints of their own, commands are not for `joints`
             let key = if is_command

@@ -1,4 +1,5 @@
 //! Reporting files that are not there: one finding for those of a robot that are missing in one folder of a package.
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 use indexmap::IndexMap;
@@ -9,7 +10,11 @@ use super::super::rule::{Safety, Severity};
 use super::super::sink::{Reported, Sink};
 use super::shapes::is_replaceable;
 use model::AttrValue;
+use vfs::{DirEntry, Vfs};
 use workspace::is_ignored_by_git;
+
+/// Endings of archives in which packages ship their meshes.
+const ARCHIVES: [&str; 5] = ["7z", "rar", "tar.gz", "tgz", "zip"];
 
 /// The missing files of a robot by package and folder.
 #[derive(Default)]
@@ -100,6 +105,11 @@ fn report(
             report.severity(Severity::Info).help(help).done();
             continue;
         }
+        if let Some(archive) = archive_of(cx.world.vfs, &file.path, package) {
+            let help = format!("unpack `{archive}`, or correct the path");
+            report.severity(Severity::Info).help(help).done();
+            continue;
+        }
         let report = report.help("correct the path, or add the file");
         match found.as_ref().filter(|_| moved.is_some()) {
             Some(found) => found_elsewhere(cx, report, file, found, package).done(),
@@ -132,6 +142,23 @@ fn found_elsewhere<'s, 'a>(
         Some(uri) => report.replace_with(Safety::Unsafe, format!("replace with `{uri}`"), uri),
         None => report,
     }
+}
+
+/// The name of an archive in a package that is called like a missing file or a folder around it.
+fn archive_of(vfs: &Vfs, missing: &Path, package: Option<&Path>) -> Option<String> {
+    let package = package?;
+    let parts = missing
+        .ancestors()
+        .take_while(|part| *part != package && part.starts_with(package));
+    parts.into_iter().find_map(|part| {
+        let names = [part.file_name(), part.file_stem()].map(|name| name.and_then(OsStr::to_str));
+        let entries = vfs.list_dir(part.parent()?);
+        let is_it = |entry: &&DirEntry| {
+            let (stem, ending) = entry.name.split_once('.').unwrap_or((&entry.name, ""));
+            !entry.is_dir && ARCHIVES.contains(&ending) && names.contains(&Some(stem))
+        };
+        entries.iter().find(is_it).map(|entry| entry.name.clone())
+    })
 }
 
 fn message(file: &MissingFile<'_>, package: Option<&Path>) -> String {

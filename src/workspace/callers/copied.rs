@@ -313,9 +313,11 @@ fn is_below_others(folder: &Path) -> bool {
 fn has_mark(vfs: &Vfs, folder: &Path) -> bool {
     let entries = vfs.list_dir(folder);
     let has = |starts: &[&str]| {
-        entries
-            .iter()
-            .any(|entry| starts.iter().any(|start| entry.name.to_uppercase().starts_with(start)))
+        entries.iter().any(|entry| {
+            starts
+                .iter()
+                .any(|start| entry.name.to_uppercase().starts_with(start))
+        })
     };
     let is_package = entries.iter().any(|entry| entry.name == MANIFEST);
     entries
