@@ -1,9 +1,11 @@
 //! Command limits beyond the limits of the joint.
+use std::cell::LazyCell;
+
 use super::super::context::DocumentCx;
 use super::super::numbers::{UNLIMITED, rewrite, short};
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use super::joints::{controlled, range, value_place};
+use super::joints::{controlled, is_before_jazzy, range, value_place};
 
 pub(super) static RULE: Rule = Rule {
     code: "CTL010",
@@ -21,6 +23,11 @@ pub(super) static RULE: Rule = Rule {
 const ROUNDING: f64 = 1e-3;
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    // before Jazzy, ros2_control does not read them
+    let severity = LazyCell::new(|| match is_before_jazzy(cx) {
+        true => Severity::Info,
+        false => RULE.severity,
+    });
     for (control, joint) in controlled(cx) {
         let Some((lower, upper)) = range(joint) else {
             continue;
@@ -48,13 +55,14 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                         text.value,
                         joint.shown()
                     );
-                    let report =
-                        out.report(value_place(cx.expansion, text), message)
-                            .help(format!(
-                                "write a value from {} to {}",
-                                short(lower),
-                                short(upper)
-                            ));
+                    let report = out
+                        .report(value_place(cx.expansion, text), message)
+                        .severity(*severity)
+                        .help(format!(
+                            "write a value from {} to {}",
+                            short(lower),
+                            short(upper)
+                        ));
                     let limit = if name == "min" { lower } else { upper };
                     rewrite(report, Safety::Unsafe, text, short(limit)).done();
                 }
