@@ -236,7 +236,8 @@ impl AnalysisHost {
                     .for_each(|value| add_value(&mut found, value, &file));
             }
             let choices = session
-                .launch_choices(robot)
+                .callers
+                .choices(robot)
                 .into_iter()
                 .filter(|(own, _)| own == name);
             choices

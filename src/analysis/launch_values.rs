@@ -32,7 +32,7 @@ impl Session {
         folder: &Path,
         is_meant: impl Fn(&PathBuf) -> bool,
     ) -> Vec<Finding> {
-        let excluded = self.excluded_values(folder);
+        let excluded = self.callers.excluded_values(folder);
         let checked = excluded.iter().filter(|found| is_meant(&found.giver));
         let checked = checked.filter(|found| !self.settings(&found.giver).excludes(&found.giver));
         let finding = checked.map(|found| {

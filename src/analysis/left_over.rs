@@ -9,9 +9,9 @@ use base::FastSet;
 impl Session {
     /// Whether launch files, programs or build files load other descriptions than those of the package that nothing can mean.
     pub(super) fn is_left_over(&self, file: &Path) -> bool {
-        let mut launched = self.launched_instead(file, false);
+        let mut launched = self.callers.launched_instead(file, false);
         if !launched.is_empty() && self.may_be_given(file, &launched) {
-            launched = self.launched_instead(file, true);
+            launched = self.callers.launched_instead(file, true);
         }
         let Some(package) = self.packages.containing(file) else {
             return false;
@@ -26,12 +26,12 @@ impl Session {
         walk::all_descriptions(&package.folder, &self.vfs, &self.env)
             .iter()
             .any(is_launched)
-            || self.are_others_launched(file) && !self.is_built_for_moveit(file, &package.folder)
+            || self.callers.load_another(file) && !self.is_built_for_moveit(file, &package.folder)
     }
 
     /// Whether a program that builds the configuration of MoveIt reads a file without its name.
     pub(super) fn is_built_for_moveit(&self, file: &Path, package: &Path) -> bool {
-        self.extended(package).as_deref() == Some(file) && self.has_moveit_builder(file)
+        self.extended(package).as_deref() == Some(file) && self.callers.build_for_moveit(file)
     }
 
     /// Whether somebody may start a launch file that takes the name of any description with this one: it is a robot, and none of
@@ -51,8 +51,8 @@ impl Session {
             other != file && self.includers(other).iter().any(is_outside) && self.gives_robot(other)
         };
         self.gives_robot(file)
-            && !self.is_loaded(file)
-            && !self.is_launched(file)
+            && !self.callers.load(file)
+            && !self.callers.launch(file)
             && walk::all_descriptions(package, &self.vfs, &self.env)
                 .iter()
                 .any(is_used)

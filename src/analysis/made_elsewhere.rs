@@ -29,7 +29,7 @@ impl Session {
         };
         let find = format!("$(find {})", package.trim());
         let own = self.vfs.path(finding.span.file);
-        self.is_rewritten(robot, &find) || self.is_rewritten(&own, &find)
+        self.callers.rewrite(robot, &find) || self.callers.rewrite(&own, &find)
     }
 
     /// Whether the path of a mesh is relative, and nothing in the folders of its package begins like it.

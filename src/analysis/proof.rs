@@ -280,7 +280,13 @@ impl<'a> Trial<'a> {
     /// Further ways to expand a robot that may show what an edit does.
     fn settings(&self, task: &CheckTask, before: &RunResult) -> Vec<RunSetting> {
         let mut found = Vec::new();
-        for caller in self.session.callers(&task.file).iter().take(MOST_CALLERS) {
+        for caller in self
+            .session
+            .callers
+            .of(&task.file)
+            .iter()
+            .take(MOST_CALLERS)
+        {
             let known = caller
                 .args
                 .iter()

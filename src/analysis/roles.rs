@@ -140,7 +140,7 @@ impl Session {
         let document = expansion.files.first().map(|file| &file.source.document);
         let gives_robot = kind == RootKind::Robot || document.is_some_and(graph::gives_robot);
         if self.is_included(&task.file) {
-            return if gives_robot && self.is_named(&task.file) {
+            return if gives_robot && self.callers.name(&task.file) {
                 Role::Root
             } else {
                 Role::Part
@@ -153,7 +153,7 @@ impl Session {
         if !is_plain_urdf(&task.file)
             && robot.is_some_and(|robot| robot.links.is_empty() && robot.joints.is_empty())
             && !document.is_some_and(graph::gives_robot)
-            && !self.is_named(&task.file)
+            && !self.callers.name(&task.file)
         {
             return Role::Unknown;
         }
@@ -161,7 +161,7 @@ impl Session {
         // whoever names the file together with the link attaches it there
         let is_whole = |link: &EcoString| {
             has_misspelled_link(findings)
-                || self.is_named(&task.file) && !self.is_named_with(&task.file, link)
+                || self.callers.name(&task.file) && !self.callers.mention(&task.file, link)
         };
         if gives_robot && missing.is_none_or(is_whole) {
             Role::Root
@@ -194,9 +194,9 @@ impl Session {
         is_open
             && match finding.problem {
                 Some(ProblemKind::UndefinedArg) => {
-                    !self.is_loaded(&task.file) && !self.is_in_a_page(&task.file)
+                    !self.callers.load(&task.file) && !self.callers.tell_to_use(&task.file)
                 }
-                _ => !self.is_named(&task.file),
+                _ => !self.callers.name(&task.file),
             }
     }
 
@@ -211,7 +211,7 @@ impl Session {
         if self.is_passed(file) {
             return true;
         }
-        let calls = self.calls_around(file);
+        let calls = self.callers.calls(file);
         if calls
             .iter()
             .any(|call| call.target.as_deref() == Some(file))
@@ -220,12 +220,12 @@ impl Session {
         }
         let included = self.included_around(file);
         let mut given = included.iter().flat_map(|all| all.given());
-        given.any(|name| self.is_quoted(file, &format!("{name}:=")))
+        given.any(|name| self.callers.quote(file, &format!("{name}:=")))
     }
 
     /// Whether a launch file gives a file to another robot, as the value of an argument.
     fn is_passed(&self, file: &Path) -> bool {
-        let calls = self.calls_around(file);
+        let calls = self.callers.calls(file);
         let mut others = calls
             .iter()
             .filter(|call| call.target.as_deref() != Some(file));

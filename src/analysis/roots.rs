@@ -14,7 +14,7 @@ impl Session {
     /// The arguments that a root takes from launch files, with their values.
     pub(super) fn choices(&self, root: &Root, file: &Path) -> Axes {
         if root.launch_choices {
-            self.launch_choices(file)
+            self.callers.choices(file)
         } else {
             Axes::new()
         }

@@ -8,26 +8,27 @@ use super::configs::{Configs, Overrides, Settings};
 use super::includes::Included;
 use super::lock::locked;
 use super::run_cache::Runs;
-use base::{FastMap, FastSet};
+use base::FastMap;
 use model::Meshes;
 use packages::{PackageOptions, Packages};
 use rules::{Manifests, Rule, RuleEnv};
 use vfs::{Environment, LoadError, Vfs};
-use workspace::config::{self, Axes, Config, ConfigWarning};
-use workspace::{Caller, Callers, Era, Excluded, GivenArg, Purpose, RobotCall, is_ignored_by_git};
+use workspace::config::{self, Config, ConfigWarning};
+use workspace::{Callers, GivenArg, RobotCall, is_ignored_by_git};
 
 /// Files, packages, environment and configuration.
 pub struct Session {
     /// Files.
     pub vfs: Arc<Vfs>,
     /// `$(find)` and `package://`.
-    pub packages: Packages,
+    pub packages: Arc<Packages>,
     /// Variables and working directory.
     pub env: Environment,
     meshes: Meshes,
     manifests: Manifests,
     configs: Configs,
-    callers: Callers,
+    /// Who uses which description.
+    pub(super) callers: Callers,
     /// Expansions that generated files were compared with.
     pub(super) drift_runs: Runs,
     /// What the descriptions below a folder include.
@@ -126,15 +127,15 @@ impl Session {
             ignored_by_git: is_ignored_by_git,
             ..PackageOptions::default()
         };
-        let packages = Packages::new(vfs.clone(), env, options);
+        let packages = Arc::new(Packages::new(vfs.clone(), env, options));
         Self {
             vfs,
+            callers: Callers::new(packages.clone()),
             packages,
             env: env.clone(),
             meshes: Meshes::default(),
             manifests: Manifests::default(),
             configs,
-            callers: Callers::default(),
             drift_runs: Runs::default(),
             included: Mutex::default(),
             pairings: Mutex::default(),
@@ -142,44 +143,24 @@ impl Session {
         }
     }
 
-    /// The files of the workspace that call a description, with the arguments they give.
-    pub(super) fn callers(&self, file: &Path) -> Vec<Caller> {
-        self.callers.of(file, &self.packages)
-    }
-
     /// The arguments that the workspace gives to a description, call by call: first as the files that name it write them.
     pub(super) fn given_args(&self, file: &Path) -> impl Iterator<Item = Vec<GivenArg>> {
-        let written = self.callers(file).into_iter().map(|caller| caller.args);
+        let written = self.callers.of(file).into_iter().map(|caller| caller.args);
         // launch files are read when somebody asks for more
-        let (callers, packages, file) = (&self.callers, &self.packages, file.to_owned());
-        written.chain(std::iter::once_with(move || callers.given(&file, packages)).flatten())
+        let (callers, file) = (&self.callers, file.to_owned());
+        written.chain(std::iter::once_with(move || callers.given(&file)).flatten())
     }
 
     /// The calls of robots below a folder, or those that a file makes or that call it, by the paths of the files that call.
     pub fn robot_calls(&self, path: &Path) -> Vec<RobotCall> {
         let path = self.vfs.absolute(path);
         if self.vfs.is_dir(&path) {
-            return self.callers.calls_below(&path, &self.packages).to_vec();
+            return self.callers.calls_below(&path).to_vec();
         }
-        let all = self.callers.calls(&path, &self.packages);
+        let all = self.callers.calls(&path);
         let concerns =
             |call: &&RobotCall| call.call.caller == path || call.target.as_ref() == Some(&path);
         all.iter().filter(concerns).cloned().collect()
-    }
-
-    /// The values below a folder that launch files give and that choices rule out.
-    pub(super) fn excluded_values(&self, folder: &Path) -> Arc<Vec<Excluded>> {
-        self.callers.excluded_values(folder, &self.packages)
-    }
-
-    /// The arguments of a description for which launch files declare the values to choose from.
-    pub(super) fn launch_choices(&self, file: &Path) -> Axes {
-        self.callers.choices(file, &self.packages)
-    }
-
-    /// All calls of robots around a file.
-    pub(super) fn calls_around(&self, file: &Path) -> Arc<Vec<RobotCall>> {
-        self.callers.calls(file, &self.packages)
     }
 
     /// The files around a path that may say something about robots.
@@ -190,7 +171,7 @@ impl Session {
         if let Some(found) = locked(&self.beside).get(&top) {
             return found.clone();
         }
-        let mut found = self.callers.beside(path, &self.packages);
+        let mut found = self.callers.beside(path);
         found.retain(|file| self.is_about_robots(file) && !self.settings(file).excludes(file));
         locked(&self.beside)
             .entry(top)
@@ -204,212 +185,16 @@ impl Session {
         locked(&self.beside).clear();
     }
 
-    /// The descriptions around a file.
-    pub(super) fn descriptions_around(&self, file: &Path) -> Arc<Vec<PathBuf>> {
-        self.callers.descriptions(file, &self.packages)
-    }
-
-    /// Whether a launch file, script or page names a description.
-    pub(super) fn is_named(&self, file: &Path) -> bool {
-        self.callers.name(file, &self.packages)
-    }
-
-    /// Whether a file that counts names a description.
-    pub(super) fn is_named_where(&self, file: &Path, counts: impl Fn(&Path) -> bool) -> bool {
-        self.callers.name_where(file, &self.packages, counts)
-    }
-
-    /// Whether something that runs, not a page, loads a description.
-    pub(super) fn is_loaded(&self, file: &Path) -> bool {
-        self.callers.load(file, &self.packages)
-    }
-
     /// Whether a description is there for the tests of its package and nothing else.
     pub(super) fn is_for_tests(&self, file: &Path) -> bool {
         let includers = |file: &Path| self.includers(file);
-        self.callers.is_for_tests(file, &self.packages, includers)
-    }
-
-    /// The xacro that the launch files of a description are for.
-    pub(super) fn era(&self, file: &Path) -> Era {
-        self.callers.era(file, &self.packages)
-    }
-
-    /// Whether programs load a description into Bullet, and no launch file does.
-    pub(super) fn is_for_bullet(&self, file: &Path) -> bool {
-        self.callers.load_in_bullet(file, &self.packages)
-    }
-
-    /// Whether programs load a description into RaiSim, and nothing else loads it.
-    pub(super) fn is_for_raisim(&self, file: &Path) -> bool {
-        self.callers.load_in_raisim(file, &self.packages)
-    }
-
-    /// Whether launch files only show a description, and simulate another one.
-    pub(super) fn is_only_shown(&self, file: &Path) -> bool {
-        self.callers.only_show(file, &self.packages)
-    }
-
-    /// Whether a launch file loads a description.
-    pub(super) fn is_launched(&self, file: &Path) -> bool {
-        self.callers.launch(file, &self.packages)
-    }
-
-    /// Whether a launch file of the workspace around a file loads a description.
-    pub(super) fn is_beside_launched(&self, file: &Path) -> bool {
-        self.callers.launch_any(file, &self.packages)
-    }
-
-    /// Whether a launch file or program of the workspace around a file loads a description.
-    pub(super) fn is_beside_loaded(&self, file: &Path) -> bool {
-        self.callers.load_any(file, &self.packages)
-    }
-
-    /// Whether a launch file or program of the workspace around a file does more with a description than to show it.
-    pub(super) fn is_beside_moved(&self, file: &Path) -> bool {
-        self.callers.move_any(file, &self.packages)
-    }
-
-    /// The names of the descriptions that launch files load instead of this one.
-    pub(super) fn launched_instead(&self, file: &Path, may_be_given: bool) -> FastSet<String> {
-        self.callers
-            .launched_instead(file, &self.packages, may_be_given)
-    }
-
-    /// Whether a launch file or program of the package of a file loads a description that is there, other than this one.
-    pub(super) fn are_others_launched(&self, file: &Path) -> bool {
-        self.callers.load_another(file, &self.packages)
-    }
-
-    /// Whether launch files load other descriptions, and nothing can mean this one, which lies in no package.
-    pub(super) fn is_passed_over(&self, file: &Path) -> bool {
-        self.callers.pass_over(file, &self.packages)
-    }
-
-    /// Whether launch files spawn models of SDF, and nothing loads a description.
-    pub(super) fn is_beside_spawned_models(&self, file: &Path) -> bool {
-        self.callers.spawn_models_instead(file, &self.packages)
-    }
-
-    /// Whether a file that names a description also says `word`.
-    pub(super) fn is_named_with(&self, file: &Path, word: &str) -> bool {
-        self.callers.mention(file, word, &self.packages)
-    }
-
-    /// Whether a file that names a description also holds a text, letter for letter.
-    pub(super) fn is_quoted(&self, file: &Path, text: &str) -> bool {
-        self.callers.quote(file, text, &self.packages)
-    }
-
-    /// Whether a page names a description to be used, not only in a table of files.
-    pub(super) fn is_in_a_page(&self, file: &Path) -> bool {
-        self.callers.tell_to_use(file, &self.packages)
-    }
-
-    /// Whether a program that names a description puts something else for a text.
-    pub(super) fn is_rewritten(&self, file: &Path, text: &str) -> bool {
-        self.callers.rewrite(file, text, &self.packages)
-    }
-
-    /// Whether a program around a file builds the configuration of MoveIt.
-    pub(super) fn has_moveit_builder(&self, file: &Path) -> bool {
-        self.callers.build_for_moveit(file, &self.packages)
-    }
-
-    /// Whether all that names a description are programs that write it.
-    pub(super) fn is_only_written(&self, file: &Path) -> bool {
-        self.callers.only_write(file, &self.packages)
-    }
-
-    /// Whether nothing but programs for kinematics loads a description.
-    pub(super) fn is_for_kinematics(&self, file: &Path) -> bool {
-        self.callers.load_for_kinematics(file, &self.packages)
-    }
-
-    /// Whether all launch files and programs around an SRDF leave it alone.
-    pub(super) fn is_srdf_unread(&self, file: &Path) -> bool {
-        self.callers.leave_srdf_alone(file, &self.packages)
-    }
-
-    /// Whether launch files and programs use what lies around a file, and none of them simulates anything.
-    pub(super) fn is_never_simulated(&self, file: &Path) -> bool {
-        self.callers.never_simulate(file, &self.packages)
-    }
-
-    /// Whether a description has something that only Gazebo runs.
-    pub(super) fn is_for_gazebo(&self, file: &Path) -> bool {
-        self.callers.is_for_gazebo(file, &self.packages)
-    }
-
-    /// What is done with a description, as far as texts name it.
-    pub(super) fn purpose_in_texts(&self, file: &Path) -> Option<Purpose> {
-        self.callers.purpose(file, &self.packages)
-    }
-
-    /// Whether launch files and programs simulate what lies around a file, and no simulator refuses a tensor that no body has.
-    pub(super) fn is_never_refused(&self, file: &Path) -> bool {
-        self.callers.never_refuse(file, &self.packages)
-    }
-
-    /// Whether launch files start the controllers of another description, and none names this one.
-    pub(super) fn is_another_controlled(&self, file: &Path) -> bool {
-        self.callers.control_another(file, &self.packages)
-    }
-
-    /// Whether a description is only spawned in Gazebo, under a name of its own.
-    pub(super) fn is_only_spawned(&self, file: &Path) -> bool {
-        self.callers.only_spawn(file, &self.packages)
-    }
-
-    /// Whether a file lies in a package that was put aside for another one.
-    pub(super) fn is_put_aside(&self, file: &Path) -> bool {
-        self.callers.is_put_aside(file, &self.packages)
-    }
-
-    /// Whether there are launch files or programs around a file.
-    pub(super) fn has_programs(&self, file: &Path) -> bool {
-        self.callers.run_something(file, &self.packages)
-    }
-
-    /// Whether the pages around a file name only old distributions.
-    pub(super) fn is_for_old_ros(&self, file: &Path) -> bool {
-        self.callers.is_for_old_ros(file, &self.packages)
-    }
-
-    /// The texts around a file that start controllers.
-    pub(super) fn starters(&self, file: &Path) -> Vec<PathBuf> {
-        self.callers.starters(file, &self.packages)
-    }
-
-    /// Whether a text of the workspace holds the name of a file.
-    pub(super) fn is_mentioned(&self, file: &Path) -> bool {
-        self.callers.mention_file(file, &self.packages)
-    }
-
-    /// Whether a repository of others was copied into the sources around a file.
-    pub(super) fn has_copies(&self, file: &Path) -> bool {
-        self.callers.has_copies(file, &self.packages)
-    }
-
-    /// The folder of the repository of others that a file was copied with into this workspace.
-    pub(super) fn copied_with(&self, file: &Path) -> Option<PathBuf> {
-        self.callers.copied_with(file, &self.packages)
+        self.callers.is_for_tests(file, includers)
     }
 
     /// Whether a file was copied with a repository of others, and nothing else in the workspace leads to it.
     pub(super) fn is_unused_copy(&self, file: &Path) -> bool {
         self.callers
-            .is_unused_copy(file, &self.packages, |file| self.includers(file))
-    }
-
-    /// Whether a file belongs to a package that was copied with a repository of others, and nothing else in the workspace leads there.
-    pub(super) fn is_in_unused_package(&self, file: &Path) -> bool {
-        self.callers.is_in_unused_package(file, &self.packages)
-    }
-
-    /// Whether launch files and programs load a description, and all of them give it an argument.
-    pub(super) fn is_always_given(&self, file: &Path, name: &str) -> bool {
-        self.callers.always_give(file, name, &self.packages)
+            .is_unused_copy(file, |file| self.includers(file))
     }
 
     /// What the descriptions below a folder include, as `make` finds it the first time.

@@ -80,19 +80,20 @@ impl Session {
             finding.rule.category == Category::Inertia || finding.rule.has(Trait::Contact)
         };
         self.lower_where(findings, about_simulation, || {
-            self.is_only_shown(&task.file).then_some(Severity::Info)
+            self.callers.only_show(&task.file).then_some(Severity::Info)
         });
         // a value of the wrong sign is a slip, whoever reads it
         let is_idle =
             |finding: &Finding| about_simulation(finding) && !finding.rule.has(Trait::WrongSign);
         self.lower_where(findings, is_idle, || {
-            let is_idle = !self.is_loaded(&task.file) && self.is_never_simulated(&task.file)
-                || self.is_for_kinematics(&task.file);
+            let is_idle = !self.callers.load(&task.file) && self.callers.never_simulate(&task.file)
+                || self.callers.load_for_kinematics(&task.file);
             is_idle.then_some(Severity::Info)
         });
         let is_impossible = |finding: &Finding| finding.rule == named::INERTIA_TRIANGLE_INEQUALITY;
         self.lower_where(findings, is_impossible, || {
-            self.is_never_refused(&task.file)
+            self.callers
+                .never_refuse(&task.file)
                 .then_some(Severity::Warning)
         });
         // Bullet computes inertia from the shapes unless it is told otherwise
@@ -103,13 +104,17 @@ impl Session {
             is_taken || finding.rule.category == Category::Inertia
         };
         self.lower_where(findings, about_bullet, || {
-            self.is_for_bullet(&task.file).then_some(Severity::Info)
+            self.callers
+                .load_in_bullet(&task.file)
+                .then_some(Severity::Info)
         });
         let about_raisim = |finding: &Finding| {
             is_before_declaration(finding) || finding.rule.has(Trait::AcceptedByRaiSim)
         };
         self.lower_where(findings, about_raisim, || {
-            self.is_for_raisim(&task.file).then_some(Severity::Info)
+            self.callers
+                .load_in_raisim(&task.file)
+                .then_some(Severity::Info)
         });
         // urdfdom and the readers that use it skip what is blank
         self.lower_where(findings, is_before_declaration, || {
@@ -137,12 +142,14 @@ impl Session {
         }
         let about_order =
             |finding: &Finding| finding.problem == Some(ProblemKind::UseBeforeDefinition);
-        let is_unordered = || (self.era(&task.file) == Era::Unordered).then_some(Severity::Info);
+        let is_unordered =
+            || (self.callers.era(&task.file) == Era::Unordered).then_some(Severity::Info);
         self.lower_where(findings, about_order, is_unordered);
         // a library of which the robots that are launched use a part
         let is_uncalled = |finding: &Finding| finding.probed;
         let is_library = || {
-            self.is_beside_launched(&task.file)
+            self.callers
+                .launch_any(&task.file)
                 .then_some(Severity::Info)
         };
         self.lower_where(findings, is_uncalled, is_library);
@@ -161,7 +168,7 @@ impl Session {
         let is_plain = file
             .extension()
             .is_some_and(|ending| ending.eq_ignore_ascii_case("urdf"));
-        is_plain && !self.callers(file).iter().any(Caller::runs_xacro)
+        is_plain && !self.callers.of(file).iter().any(Caller::runs_xacro)
     }
 
     /// Make infos of what is wrong in a robot that was set aside, but for what is wrong in files that are loaded without it.
@@ -173,7 +180,7 @@ impl Session {
             .filter(|finding| finding.severity > Severity::Info)
         {
             let at = finding.span.file;
-            let is_used = || self.is_loaded(&self.vfs.path(at));
+            let is_used = || self.callers.load(&self.vfs.path(at));
             if at == own || !*known.entry(at).or_insert_with(is_used) {
                 finding.severity = Severity::Info;
             }
@@ -188,7 +195,7 @@ impl Session {
             .unwrap_or_default();
         let is_word = word.chars().all(|c| c.is_alphanumeric() || c == '_')
             && word.contains(char::is_alphabetic);
-        is_word && self.is_named_with(file, &word)
+        is_word && self.callers.mention(file, &word)
     }
 
     /// Whether a program that names the file has the text that is wrong, such as `$(controllers)`, word for word: it puts something
@@ -198,7 +205,7 @@ impl Session {
         let Ok(text) = source.map(|source| source.document.slice(finding.span.range)) else {
             return false;
         };
-        text.starts_with("$(") && self.is_quoted(file, &text)
+        text.starts_with("$(") && self.callers.quote(file, &text)
     }
 
     /// Give findings of a kind at most the severity that is asked for when there are any, and return it.
@@ -219,14 +226,14 @@ impl Session {
 
     /// How bad tags without their prefix are where the xacro that a file is for takes them.
     fn severity_of_bare_tags(&self, file: &Path) -> Option<Severity> {
-        match self.era(file) {
+        match self.callers.era(file) {
             _ if self.is_of_rosbuild(file) => Some(Severity::Info),
             Era::Unordered | Era::Old => Some(Severity::Info),
-            Era::Melodic if self.is_for_old_ros(file) => Some(Severity::Info),
+            Era::Melodic if self.callers.is_for_old_ros(file) => Some(Severity::Info),
             Era::Melodic => Some(Severity::Warning),
             // to read all pages takes longer than to expand the robot
             Era::Any if self.packages.generation(file) == Some(RosVersion::Ros2) => None,
-            Era::Any => self.is_for_old_ros(file).then_some(Severity::Info),
+            Era::Any => self.callers.is_for_old_ros(file).then_some(Severity::Info),
         }
     }
 
@@ -269,17 +276,17 @@ impl Session {
     /// others. A template is filled by a script that names it.
     fn is_unnamed(&self, file: &Path) -> bool {
         !self.is_named_in_use(file) && self.is_given_up(file)
-            || is_template(file) && !self.is_launched(file)
-            || self.is_only_written(file)
+            || is_template(file) && !self.callers.launch(file)
+            || self.callers.only_write(file)
     }
 
     /// Whether a file is old or a copy, others are loaded in its place, or it has no text.
     fn is_given_up(&self, file: &Path) -> bool {
         self.is_kept(file)
             || self.is_left_over(file)
-            || self.is_passed_over(file)
+            || self.callers.pass_over(file)
             || self.is_beside_model(file)
-            || self.is_beside_spawned_models(file)
+            || self.callers.spawn_models_instead(file)
             || (self.vfs.text(file)).is_ok_and(|file| file.text.trim().is_empty())
     }
 
@@ -435,7 +442,7 @@ pub(super) fn leave_out_copies(session: &Session, results: &mut [RootResult]) {
                 !said.contains(&(finding.rule.code, finding.severity, finding.message.clone()))
             });
             let is_walked = result.task.reason == CheckReason::Walked;
-            if is_walked && !session.is_loaded(&file) && !session.is_included(&file) {
+            if is_walked && !session.callers.load(&file) && !session.is_included(&file) {
                 lower(&mut result.findings);
             }
         }
@@ -459,8 +466,8 @@ fn is_scratch(session: &Session, results: &[RootResult], number: usize) -> bool 
     let file = &own.task.file;
     own.task.reason == CheckReason::Walked
         && results.iter().any(is_beside)
-        && session.are_others_launched(file)
-        && !session.is_named(file)
+        && session.callers.load_another(file)
+        && !session.callers.name(file)
         && !session.is_included(file)
 }
 

@@ -22,8 +22,9 @@ impl Session {
         results: &mut [RootResult],
     ) -> Option<FastSet<PathBuf>> {
         let folders = options.paths.iter().map(|path| self.vfs.absolute(path));
-        let has_copies =
-            |folder: PathBuf| self.vfs.is_dir(&folder) && self.has_copies(&folder.join("_"));
+        let has_copies = |folder: PathBuf| {
+            self.vfs.is_dir(&folder) && self.callers.has_copies(&folder.join("_"))
+        };
         // an editor asks about the files that it shows
         if !options.entries.is_empty() || !folders.into_iter().any(has_copies) {
             return None;
@@ -49,12 +50,13 @@ impl Session {
         // settings are found by names that are put together
         let is_unused = |file: &Path| {
             if sort(file).is_some() {
-                self.is_in_unused_package(file)
+                self.callers.is_in_unused_package(file)
             } else {
                 self.is_unused_copy(file)
             }
         };
-        self.copied_with(file)
+        self.callers
+            .copied_with(file)
             .is_some_and(|copy| !asked.iter().any(|path| path.starts_with(&copy)))
             && is_unused(file)
     }
@@ -109,7 +111,7 @@ impl Session {
                 has_name(&text.text, name) && FILES.iter().any(|word| text.text.contains(word))
             })
         };
-        self.starters(&file).iter().any(gives)
+        self.callers.starters(&file).iter().any(gives)
     }
 
     /// Whether a finding is about a controller that nothing starts, while others of the same file are started by their names.
@@ -127,7 +129,7 @@ impl Session {
         let Some(own) = own.map(|own| own.name.name.as_str()) else {
             return false;
         };
-        let mut starters = self.starters(file);
+        let mut starters = self.callers.starters(file);
         let name = |path: &Path| path.file_name()?.to_str().map(str::to_owned);
         let names_it = |path: &PathBuf| name(file).is_some_and(|name| self.says(path, &name));
         if self.is_one_of_several(file) {
@@ -194,8 +196,8 @@ impl Session {
             package.is_some_and(|folder| !self.vfs.is_file(&folder.join(".setup_assistant")));
         sort(file) == Some(Sort::Srdf)
             && is_plain
-            && self.is_srdf_unread(file)
-            && self.are_others_launched(file)
+            && self.callers.leave_srdf_alone(file)
+            && self.callers.load_another(file)
     }
 
     /// Whether a file lists controllers or configures them and no text names it, while texts name another one of its package.
@@ -208,14 +210,14 @@ impl Session {
         };
         let holds = |settings: Arc<YamlSettings>| !settings.controllers.is_empty();
         let is_own = self.is_for_manager(file) || self.beside_settings(file).is_some_and(holds);
-        if !is_own || self.is_mentioned(file) {
+        if !is_own || self.callers.mention_file(file) {
             return false;
         }
         let around = self.beside_around(file);
         let mut others = around
             .iter()
             .filter(|other| *other != file && other.starts_with(&folder));
-        others.any(|other| self.is_for_manager(other) && self.is_mentioned(other))
+        others.any(|other| self.is_for_manager(other) && self.callers.mention_file(other))
     }
 
     /// What is wrong in such a repository is an info where nothing in the workspace leads to the file. Not when somebody asks for

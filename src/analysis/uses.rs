@@ -18,21 +18,21 @@ impl Session {
         let info = || Some(Severity::Info);
         // both blocks meet in a robot whose controllers nothing starts
         self.lower_where(findings, about(named::ROS2_CONTROL_DUPLICATE_JOINT), || {
-            let is_idle = self.is_for_assistant(file) && self.is_another_controlled(file);
+            let is_idle = self.is_for_assistant(file) && self.callers.control_another(file);
             is_idle.then_some(Severity::Info)
         });
         self.lower_where(findings, about(named::XACRO_TAGS_IN_URDF), || {
             self.is_run_through_xacro(file).then_some(Severity::Info)
         });
         self.lower_where(findings, about(named::MISSING_ROBOT_NAME), || {
-            self.is_only_spawned(file).then_some(Severity::Info)
+            self.callers.only_spawn(file).then_some(Severity::Info)
         });
         // what runs here does not need its packages
         let is_far = |finding: &Finding| {
             finding.rule == named::PACKAGE_NOT_FOUND && finding.message.starts_with("none of")
         };
         self.lower_where(findings, is_far, || {
-            (!self.is_loaded(file) && self.has_programs(file)).then_some(Severity::Info)
+            (!self.callers.load(file) && self.callers.run_something(file)).then_some(Severity::Info)
         });
         let is_spaced = |finding: &Finding| {
             finding.rule == named::INVALID_NAME && self.is_name_of_no_controller(file, finding)
@@ -52,7 +52,7 @@ impl Session {
             let name = finding.message.split('`').nth(1).unwrap_or_default();
             finding.problem == Some(ProblemKind::UseBeforeDefinition)
                 && finding.message.starts_with("argument")
-                && self.is_always_given(file, name)
+                && self.callers.always_give(file, name)
         };
         self.lower_where(findings, is_given, info);
         let is_unread = |finding: &Finding| {
@@ -74,7 +74,7 @@ impl Session {
         let is_about_use =
             |finding: &Finding| is_news(finding) && is_without_effect(finding, Purpose::default());
         // to read all texts takes longer than to ask those that name descriptions
-        let is_unnamed = || self.is_beside_moved(file) && !self.is_named_in_use(file);
+        let is_unnamed = || self.callers.move_any(file) && !self.is_named_in_use(file);
         let may_be_unreached = findings.iter().any(is_news) && is_unnamed();
         if !may_be_unreached && !findings.iter().any(is_about_use) {
             return;
@@ -85,16 +85,16 @@ impl Session {
         let loaded = parts
             .iter()
             .skip(1)
-            .filter(|part| self.is_loaded(&part.source.path))
+            .filter(|part| self.callers.load(&part.source.path))
             .filter_map(|part| self.purpose(&part.source.path));
         let mut purpose = loaded.fold(own, Purpose::or);
         // whoever gives it a plugin or sensor of Gazebo has it simulated
         let mut files = parts.iter().map(|part| &part.source.path);
-        if files.any(|part| self.is_for_gazebo(part)) {
+        if files.any(|part| self.callers.is_for_gazebo(part)) {
             (purpose.is_weighed, purpose.is_met) = (true, true);
         }
         // where robots are only shown, others may load what nothing here does, or simulate it
-        let is_used = purpose.is_loaded || self.is_beside_loaded(file);
+        let is_used = purpose.is_loaded || self.callers.load_any(file);
         if !(purpose.is_applied && is_used) {
             return;
         }
@@ -108,7 +108,7 @@ impl Session {
 
     /// What is done with a description. MoveIt finds one by the name of its package.
     fn purpose(&self, file: &Path) -> Option<Purpose> {
-        let mut purpose = self.purpose_in_texts(file)?;
+        let mut purpose = self.callers.purpose(file)?;
         let package = self.packages.containing(file);
         if !purpose.is_loaded
             && package.is_some_and(|package| self.is_built_for_moveit(file, &package.folder))
@@ -131,12 +131,14 @@ impl Session {
     /// Whether a text names a file that is not left over. Where all descriptions are kept, that says nothing about them.
     pub(super) fn is_named_in_use(&self, file: &Path) -> bool {
         let are_all_kept = || {
-            self.descriptions_around(file)
+            self.callers
+                .descriptions(file)
                 .iter()
                 .all(|other| self.is_kept(other))
         };
-        self.is_named_where(file, |by| !self.is_launch_left_over(by))
-            || self.is_named(file) && are_all_kept()
+        self.callers
+            .name_where(file, |by| !self.is_launch_left_over(by))
+            || self.callers.name(file) && are_all_kept()
     }
 
     /// Whether nobody runs a launch file: it is kept, in a package that was put aside or is not built, or for ROS 1 in a package for
@@ -145,13 +147,13 @@ impl Session {
         let is_of_ros1 = file.extension().is_some_and(|ending| ending == "launch");
         self.is_kept(file)
             || is_of_ros1 && is_for_ament(file, &self.packages)
-            || self.is_put_aside(file)
+            || self.callers.is_put_aside(file)
             || self.packages.is_never_built(file)
     }
 
     /// Whether a launch file runs xacro on a file, whatever its ending is, or somebody ran it and kept the result beside it.
     fn is_run_through_xacro(&self, file: &Path) -> bool {
-        let calls = self.calls_around(file);
+        let calls = self.callers.calls(file);
         calls
             .iter()
             .any(|call| call.target.as_deref() == Some(file))
@@ -185,14 +187,14 @@ impl Session {
         const WHAT: &str = "contains whitespace";
         let name = finding.message.split('`').nth(1).unwrap_or_default();
         let is_joint = finding.message.starts_with("name of joint");
-        if !is_joint || !finding.message.contains(WHAT) || !self.is_loaded(file) {
+        if !is_joint || !finding.message.contains(WHAT) || !self.callers.load(file) {
             return false;
         }
         let is_ros2 = is_for_ament(file, &self.packages);
         let is_run = |path: &&PathBuf| {
             let is_of_ros1 = path.extension().is_some_and(|ending| ending == "launch");
             // an exporter of CAD programs writes it beside each robot
-            let is_export = path.ends_with("controller.launch") && !self.is_mentioned(path);
+            let is_export = path.ends_with("controller.launch") && !self.callers.mention_file(path);
             !(is_ros2 && is_of_ros1 || is_export)
         };
         let has_it = |path: &PathBuf| {
@@ -200,7 +202,12 @@ impl Session {
                 .text(path)
                 .is_ok_and(|file| file.text.contains(name))
         };
-        !self.starters(file).iter().filter(is_run).any(has_it)
+        !self
+            .callers
+            .starters(file)
+            .iter()
+            .filter(is_run)
+            .any(has_it)
     }
 
     /// Whether an expression reads a file that is missing here and that `.gitignore` leaves out: a program makes it.
@@ -232,7 +239,7 @@ impl Session {
                 .and_then(|node| Some(node.attr("name")?.raw().to_owned()))
         });
         let Some(name) = node else { return false };
-        let all = self.calls_around(file);
+        let all = self.callers.calls(file);
         let mut calls = all
             .iter()
             .filter(|call| call.target.as_deref() == Some(file))

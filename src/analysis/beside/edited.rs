@@ -121,7 +121,7 @@ impl AnalysisHost {
         if !known.is_empty() {
             return known;
         }
-        let all = self.session().descriptions_around(path);
+        let all = self.session().callers.descriptions(path);
         all.iter()
             .filter(|file| self.session().is_robot(file))
             .take(MOST)

@@ -44,7 +44,7 @@ impl Session {
             .filter_map(turned)
             .take(MOST_SWITCHES)
             .collect();
-        let chosen = self.launch_choices(&analyzed.root.file).into_iter();
+        let chosen = self.callers.choices(&analyzed.root.file).into_iter();
         let chosen = chosen
             .flat_map(|(name, values)| values.into_iter().map(move |value| (name.clone(), value)));
         let chosen: Vec<(String, String)> = chosen.take(MOST_CHOICES).collect();

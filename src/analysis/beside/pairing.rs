@@ -74,7 +74,7 @@ impl Session {
             return false;
         }
         let is_near = self.near(path);
-        let all = self.descriptions_around(path);
+        let all = self.callers.descriptions(path);
         let mut near = all.iter().filter(|file| is_near(file));
         sort(path) == Some(Sort::Yaml) && near.any(loads)
     }
@@ -152,7 +152,7 @@ impl Session {
                     && self.may_mean(file, path)
             })
         };
-        let all = self.descriptions_around(path);
+        let all = self.callers.descriptions(path);
         let naming = all.iter().filter(says).take(MOST_ROBOTS);
         let roots = naming.flat_map(|file| self.roots_reading(file));
         Pairing::named(roots.flat_map(|root| self.ways_of(&root)).collect())
@@ -176,7 +176,7 @@ impl Session {
 
     /// The only robot that launch files of the package start.
     fn started_near(&self, path: &Path) -> Vec<RootConfig> {
-        let calls = self.calls_around(path);
+        let calls = self.callers.calls(path);
         let is_near = self.near(path);
         let near = calls.iter().filter(|call| is_near(&call.call.caller));
         let roots: Vec<RootConfig> = near.filter_map(|call| self.started(call)).collect();
@@ -223,7 +223,7 @@ impl Session {
         let mut roots: Vec<RootConfig> = Vec::new();
         // a file that is loaded for a robot elsewhere, too, may be for that one alone
         let mut is_named = true;
-        let calls = self.calls_around(path);
+        let calls = self.callers.calls(path);
         for group in calls.chunk_by(|a, b| a.call.caller == b.call.caller) {
             if !group.first().is_some_and(says) {
                 continue;
@@ -241,7 +241,7 @@ impl Session {
     /// The robots in a file of the same name in the same folder, `arm.urdf` for `arm.srdf`; else those of the name that an
     /// SRDF says in the same package; else those of the name and those in a file of the same name elsewhere.
     fn of_the_name(&self, path: &Path) -> Pairing {
-        let all = self.descriptions_around(path);
+        let all = self.callers.descriptions(path);
         let is_it = |file: &&PathBuf| stem(file) == stem(path) && self.is_robot(file);
         let of_the_stem: Vec<&PathBuf> = all.iter().filter(is_it).collect();
         let mut beside = of_the_stem.clone();
@@ -303,7 +303,7 @@ impl Session {
             }
         }
         if found.roots.is_empty() {
-            let all = self.descriptions_around(path);
+            let all = self.callers.descriptions(path);
             let robots = all
                 .iter()
                 .filter(|file| is_near(file) && self.is_robot(file));
@@ -384,7 +384,7 @@ impl Session {
     /// The robots that include a description, or are it.
     fn roots_reading(&self, file: &Path) -> Vec<PathBuf> {
         const MOST_LEVELS: usize = 6;
-        let around = self.descriptions_around(file);
+        let around = self.callers.descriptions(file);
         let all = around.iter().filter_map(|other| {
             let source = self.vfs.document(other).ok()?;
             Some((other, reach(&source, &self.packages)))

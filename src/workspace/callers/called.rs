@@ -34,39 +34,39 @@ pub(super) struct LaunchCalls {
 
 impl Callers {
     /// All calls in the sources around a file, in the order of the paths of the files that call.
-    pub fn calls(&self, file: &Path, packages: &Packages) -> Arc<Vec<RobotCall>> {
-        let Some(top) = packages.sources_around(file) else {
+    pub fn calls(&self, file: &Path) -> Arc<Vec<RobotCall>> {
+        let Some(top) = self.packages.sources_around(file) else {
             return Arc::default();
         };
-        self.calls_below(&top, packages)
+        self.calls_below(&top)
     }
 
     /// All calls below a folder.
-    pub fn calls_below(&self, top: &Path, packages: &Packages) -> Arc<Vec<RobotCall>> {
-        self.called_below(top, packages).calls.clone()
+    pub fn calls_below(&self, top: &Path) -> Arc<Vec<RobotCall>> {
+        self.called_below(top).calls.clone()
     }
 
     /// What the launch files below a folder say.
-    pub(super) fn called_below(&self, top: &Path, packages: &Packages) -> Arc<LaunchCalls> {
-        let uses = self
-            .below
-            .get(top.to_owned(), || Arc::new(search(packages.vfs(), top)));
+    pub(super) fn called_below(&self, top: &Path) -> Arc<LaunchCalls> {
+        let uses = self.below.get(top.to_owned(), || {
+            Arc::new(search(self.packages.vfs(), top))
+        });
         self.called
-            .get(top.to_owned(), || Arc::new(all(&uses, packages)))
+            .get(top.to_owned(), || Arc::new(all(&uses, &self.packages)))
     }
 }
 
 impl Callers {
     /// The arguments of each call of the description `file` whose launch file names it somehow, also through other launch files.
-    pub fn given(&self, file: &Path, packages: &Packages) -> Vec<Vec<GivenArg>> {
-        let all = self.calls(file, packages);
+    pub fn given(&self, file: &Path) -> Vec<Vec<GivenArg>> {
+        let all = self.calls(file);
         let calls = all
             .iter()
             .filter(|call| call.target.as_deref() == Some(file));
         let given = |RobotCall { call, .. }: &RobotCall| {
             let args = call.args.iter().map(|argument| GivenArg {
                 name: argument.name.clone(),
-                value: argument.value.value(packages, &call.caller),
+                value: argument.value.value(&self.packages, &call.caller),
             });
             args.collect()
         };
@@ -172,8 +172,7 @@ pub(super) fn target(call: &LaunchCall, packages: &Packages) -> Option<PathBuf> 
 
 #[cfg(test)]
 mod tests {
-    use super::Callers;
-    use packages::{PackageOptions, Packages};
+    use super::super::tests::callers_in;
     use vfs::testing::Tree;
 
     const INNER: &str = "DeclareLaunchArgument('side', default_value='left')\n\
@@ -188,12 +187,7 @@ mod tests {
         tree.write("launch/other.launch.py", other);
         let path = "inner = os.path.join(os.path.dirname(__file__), 'inner.launch.py')\n";
         tree.write("launch/outer.launch.py", &format!("{path}{outer}"));
-        let packages = Packages::new(
-            tree.vfs().clone(),
-            &tree.environment(&[]),
-            PackageOptions::default(),
-        );
-        let calls = Callers::default().calls_below(tree.root(), &packages);
+        let calls = callers_in(&tree).calls_below(tree.root());
         let through = calls.iter().filter(|call| !call.call.through.is_empty());
         let sides: Vec<String> = through
             .flat_map(|call| &call.call.args)

@@ -33,11 +33,11 @@ pub struct Excluded {
 impl Callers {
     /// The arguments of the description `file` that launch files pass on from an argument of theirs with declared choices,
     /// with the values that these choices give.
-    pub fn choices(&self, file: &Path, packages: &Packages) -> Axes {
+    pub fn choices(&self, file: &Path) -> Axes {
         let mut axes = Axes::new();
         let mut launch_files: Vec<PathBuf> = Vec::new();
         for call in self
-            .calls(file, packages)
+            .calls(file)
             .iter()
             .filter(|call| call.target.as_deref() == Some(file))
         {
@@ -45,7 +45,7 @@ impl Callers {
                 launch_files.push(call.call.caller.clone());
             }
         }
-        let read = |path: &PathBuf| launch::read(path, &packages.vfs().text(path).ok()?.text);
+        let read = |path: &PathBuf| launch::read(path, &self.packages.vfs().text(path).ok()?.text);
         for launch_file in launch_files.iter().filter_map(read) {
             let mut calls = 0;
             for declared in &launch_file.declared {
@@ -63,7 +63,7 @@ impl Callers {
                         ..LaunchContext::default()
                     };
                     add_chosen(&mut axes, &launch_file, &declared.name, &context, |call| {
-                        target(call, packages).as_deref() == Some(file)
+                        target(call, &self.packages).as_deref() == Some(file)
                     });
                 }
             }
@@ -73,8 +73,8 @@ impl Callers {
 
     /// The values below a folder that launch files give to arguments, their own or those of files that they include, and that
     /// the choices there rule out.
-    pub fn excluded_values(&self, top: &Path, packages: &Packages) -> Arc<Vec<Excluded>> {
-        self.called_below(top, packages).excluded.clone()
+    pub fn excluded_values(&self, top: &Path) -> Arc<Vec<Excluded>> {
+        self.called_below(top).excluded.clone()
     }
 }
 

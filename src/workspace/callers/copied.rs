@@ -62,24 +62,19 @@ struct PackageIdentity {
 
 impl Callers {
     /// Whether a repository of others was copied into the sources around a file.
-    pub fn has_copies(&self, file: &Path, packages: &Packages) -> bool {
-        !self.copies(file, packages).is_empty()
+    pub fn has_copies(&self, file: &Path) -> bool {
+        !self.copies(file).is_empty()
     }
 
     /// The folder of the repository of others that a file was copied with into this workspace.
-    pub fn copied_with(&self, file: &Path, packages: &Packages) -> Option<PathBuf> {
-        around(&self.copies(file, packages), file).map(Path::to_owned)
+    pub fn copied_with(&self, file: &Path) -> Option<PathBuf> {
+        around(&self.copies(file), file).map(Path::to_owned)
     }
 
     /// Whether a file belongs to a repository of others that was copied into this workspace, and nothing else in the workspace
     /// names it or what leads to it. `includers` gives the files that include a description.
-    pub fn is_unused_copy(
-        &self,
-        file: &Path,
-        packages: &Packages,
-        includers: impl Fn(&Path) -> Vec<PathBuf>,
-    ) -> bool {
-        let copies = self.copies(file, packages);
+    pub fn is_unused_copy(&self, file: &Path, includers: impl Fn(&Path) -> Vec<PathBuf>) -> bool {
+        let copies = self.copies(file);
         if around(&copies, file).is_none() {
             return false;
         }
@@ -89,7 +84,7 @@ impl Callers {
             if around(&copies, &file).is_none() {
                 return false;
             }
-            let Some(users) = self.users(&file, &copies, packages) else {
+            let Some(users) = self.users(&file, &copies) else {
                 return false;
             };
             let users = users.into_iter().chain(includers(&file));
@@ -101,10 +96,10 @@ impl Callers {
 
     /// Whether a file belongs to a package of a repository of others that was copied into this workspace, and nothing else in the
     /// workspace names the package or one of that repository whose files name it.
-    pub fn is_in_unused_package(&self, file: &Path, packages: &Packages) -> bool {
-        let copies = self.copies(file, packages);
-        let mentions = self.mentions(file, packages).filter(|all| all.is_whole);
-        let (Some(mentions), Some(package)) = (mentions, packages.containing(file)) else {
+    pub fn is_in_unused_package(&self, file: &Path) -> bool {
+        let copies = self.copies(file);
+        let mentions = self.mentions(file).filter(|all| all.is_whole);
+        let (Some(mentions), Some(package)) = (mentions, self.packages.containing(file)) else {
             return false;
         };
         let mut open = vec![package.name];
@@ -117,35 +112,30 @@ impl Callers {
                 if around(&copies, by).is_none() {
                     return false;
                 }
-                open.extend(packages.containing(by).map(|package| package.name));
+                open.extend(self.packages.containing(by).map(|package| package.name));
             }
         }
         around(&copies, file).is_some()
     }
 
     /// Whether nothing but tests names a file in a folder of tests of its package: it is what they need, right or wrong.
-    pub fn is_for_tests(
-        &self,
-        file: &Path,
-        packages: &Packages,
-        includers: impl Fn(&Path) -> Vec<PathBuf>,
-    ) -> bool {
-        let package = packages.containing(file).map(|package| package.folder);
-        let Some(package) = package.filter(|_| is_of_tests(file, packages)) else {
+    pub fn is_for_tests(&self, file: &Path, includers: impl Fn(&Path) -> Vec<PathBuf>) -> bool {
+        let package = self.packages.containing(file).map(|package| package.folder);
+        let Some(package) = package.filter(|_| is_of_tests(file, &self.packages)) else {
             return false;
         };
-        let Some(mentions) = self.mentions(file, packages).filter(|all| all.is_whole) else {
+        let Some(mentions) = self.mentions(file).filter(|all| all.is_whole) else {
             return false;
         };
-        // tests of other packages may use it as well
+        // tests of other &self.packages may use it as well
         let is_test = |path: &Path| {
             let is_listed = path.ends_with("CMakeLists.txt") || path.ends_with("package.xml");
-            is_listed && path.starts_with(&package) || is_of_tests(path, packages)
+            is_listed && path.starts_with(&package) || is_of_tests(path, &self.packages)
         };
         // a page that lists it is no use
         let mut named = mentions
             .of(file)
-            .filter(|by| !file_names::is_page(by) && may_mean(by, file, packages))
+            .filter(|by| !file_names::is_page(by) && may_mean(by, file, &self.packages))
             .peekable();
         let is_included = |by: &PathBuf| !is_test(by);
         named.peek().is_some() && named.all(is_test) && !includers(file).iter().any(is_included)
@@ -153,46 +143,40 @@ impl Callers {
 
     /// The texts that lead to a file of a copy, but for includes; none when something that runs names its package, or not all
     /// texts are known.
-    fn users(
-        &self,
-        file: &Path,
-        copies: &CopiedFolders,
-        packages: &Packages,
-    ) -> Option<Vec<PathBuf>> {
-        let mentions = self
-            .mentions(file, packages)
-            .filter(|mentions| mentions.is_whole)?;
-        let package = packages.containing(file).map(|package| package.name);
+    fn users(&self, file: &Path, copies: &CopiedFolders) -> Option<Vec<PathBuf>> {
+        let mentions = self.mentions(file).filter(|mentions| mentions.is_whole)?;
+        let package = self.packages.containing(file).map(|package| package.name);
         let is_used = |package: String| {
             mentions
                 .uses(&package)
                 .any(|by| around(copies, by).is_none())
         };
         // whoever uses a package does not run its tests
-        if !is_of_tests(file, packages) && package.is_some_and(is_used) {
+        if !is_of_tests(file, &self.packages) && package.is_some_and(is_used) {
             return None;
         }
-        let uses = self.around(file, packages)?;
+        let uses = self.around(file)?;
         let computing = uses.callers.iter().filter(|caller| caller.ends(file));
         let users = mentions
             .of(file)
             .chain(computing.map(|caller| &*caller.path));
         Some(
             users
-                .filter(|user| may_mean(user, file, packages))
+                .filter(|user| may_mean(user, file, &self.packages))
                 .map(Path::to_owned)
                 .collect(),
         )
     }
 
     /// The copies in the sources around a file.
-    fn copies(&self, file: &Path, packages: &Packages) -> Arc<CopiedFolders> {
-        let Some(top) = packages.sources_around(file) else {
+    fn copies(&self, file: &Path) -> Arc<CopiedFolders> {
+        let Some(top) = self.packages.sources_around(file) else {
             return Arc::default();
         };
-        let uses = || self.around(file, packages);
-        self.copies
-            .get(top.clone(), || Arc::new(copied_below(&top, packages, uses)))
+        let uses = || self.around(file);
+        self.copies.get(top.clone(), || {
+            Arc::new(copied_below(&top, &self.packages, uses))
+        })
     }
 }
 

@@ -9,19 +9,18 @@ use super::meant::may_mean;
 use super::mentions::TextMentions;
 use super::uses::Uses;
 use base::FastSet;
-use packages::Packages;
 
 impl Callers {
     /// Whether launch files load the description `file` to show it in RViz and for nothing else, while others simulate or plan
     /// with another description that is there.
-    pub fn only_show(&self, file: &Path, packages: &Packages) -> bool {
+    pub fn only_show(&self, file: &Path) -> bool {
         let launches: Vec<Caller> = self
-            .of(file, packages)
+            .of(file)
             .into_iter()
             .filter(|caller| caller.is_launch() && caller.says(file))
             .collect();
         let simulates_another = |all: Arc<Uses>| {
-            all.load_another(file, packages, |caller| {
+            all.load_another(file, &self.packages, |caller| {
                 caller.is_launch() && caller.simulates
             })
         };
@@ -29,52 +28,47 @@ impl Callers {
             && launches
                 .iter()
                 .all(|caller| caller.shows && !caller.simulates)
-            && self.around(file, packages).is_some_and(simulates_another)
+            && self.around(file).is_some_and(simulates_another)
     }
 
     /// Whether a launch file around `file` loads a description that is there.
-    pub fn launch_any(&self, file: &Path, packages: &Packages) -> bool {
-        self.around(file, packages)
+    pub fn launch_any(&self, file: &Path) -> bool {
+        self.around(file)
             .is_some_and(|all| names_any(&all, Caller::is_launch))
     }
 
     /// Whether a launch file or program around `file` that names a description simulates, plans or controls something.
-    pub fn move_any(&self, file: &Path, packages: &Packages) -> bool {
-        self.around(file, packages).is_some_and(|all| {
+    pub fn move_any(&self, file: &Path) -> bool {
+        self.around(file).is_some_and(|all| {
             let mut callers = all.callers.iter();
             callers.any(|caller| caller.simulates && !caller.is_page())
         })
     }
 
     /// Whether a launch file or program around `file` loads a description that is there, or a simulator has a model of its own.
-    pub fn load_any(&self, file: &Path, packages: &Packages) -> bool {
+    pub fn load_any(&self, file: &Path) -> bool {
         let has_model = |mentions: Arc<TextMentions>| {
             mentions.is_whole && mentions.runs && mentions.has_own_model
         };
         let loads =
             |all: Arc<Uses>| names_any(&all, |caller| caller.is_launch() || caller.is_program());
-        self.around(file, packages).is_some_and(loads)
-            || self.mentions(file, packages).is_some_and(has_model)
+        self.around(file).is_some_and(loads) || self.mentions(file).is_some_and(has_model)
     }
 
     /// The names of the descriptions in the package of `file` that launch files, programs and build files load instead: none where the file itself
     /// is named somewhere, or the launch files take the name of any and it `may_be_given`.
-    pub fn launched_instead(
-        &self,
-        file: &Path,
-        packages: &Packages,
-        may_be_given: bool,
-    ) -> FastSet<String> {
+    pub fn launched_instead(&self, file: &Path, may_be_given: bool) -> FastSet<String> {
         let may_mean = |caller: &Caller| {
             caller.says(file) || may_be_given && caller.is_open && caller.is_launch()
         };
-        let all = packages
+        let all = self
+            .packages
             .containing(file)
-            .and_then(|_| self.around(file, packages));
-        let Some(all) = all.filter(|_| !self.of(file, packages).iter().any(may_mean)) else {
+            .and_then(|_| self.around(file));
+        let Some(all) = all.filter(|_| !self.of(file).iter().any(may_mean)) else {
             return FastSet::default();
         };
-        let is_loader = |caller: &&Caller| caller.may_load(file, packages);
+        let is_loader = |caller: &&Caller| caller.may_load(file, &self.packages);
         let launches = all.callers.iter().filter(is_loader);
         launches
             .flat_map(|caller| caller.descriptions.keys().cloned())
@@ -82,29 +76,31 @@ impl Callers {
     }
 
     /// Whether a launch file, program or build file that may mean `file` loads another description that is there.
-    pub fn load_another(&self, file: &Path, packages: &Packages) -> bool {
-        self.around(file, packages).is_some_and(|all| {
-            all.load_another(file, packages, |caller| caller.may_load(file, packages))
+    pub fn load_another(&self, file: &Path) -> bool {
+        self.around(file).is_some_and(|all| {
+            all.load_another(file, &self.packages, |caller| {
+                caller.may_load(file, &self.packages)
+            })
         })
     }
 
     /// Whether `file` lies in no package and no text of the workspace may mean it, while launch files load other
     /// descriptions that are there: a copy of something, or what another program has left.
-    pub fn pass_over(&self, file: &Path, packages: &Packages) -> bool {
+    pub fn pass_over(&self, file: &Path) -> bool {
         let all = self
-            .around(file, packages)
-            .filter(|_| packages.containing(file).is_none());
+            .around(file)
+            .filter(|_| self.packages.containing(file).is_none());
         let Some(all) = all else { return false };
         let may_mean = |caller: &Caller| {
-            all.names(caller, file, packages, false) && !caller.is_trial()
+            all.names(caller, file, &self.packages, false) && !caller.is_trial()
                 || caller.ends(file)
-                || caller.is_open && may_mean(&caller.path, file, packages)
+                || caller.is_open && may_mean(&caller.path, file, &self.packages)
         };
         // without launch files, programs load robots
         !all.callers.iter().any(may_mean)
-            && (all.load_another(file, packages, Caller::is_launch)
+            && (all.load_another(file, &self.packages, Caller::is_launch)
                 || !all.callers.iter().any(Caller::is_launch)
-                    && all.load_another(file, packages, Caller::is_program))
+                    && all.load_another(file, &self.packages, Caller::is_program))
     }
 }
 

@@ -7,41 +7,35 @@ use super::caller::Caller;
 use super::era::Era;
 use super::file_names::name_of;
 use super::read;
-use packages::Packages;
 
 impl Callers {
     /// Whether a file names the description `file`.
-    pub fn name(&self, file: &Path, packages: &Packages) -> bool {
-        self.name_where(file, packages, |_| true)
+    pub fn name(&self, file: &Path) -> bool {
+        self.name_where(file, |_| true)
     }
 
     /// Whether a file that counts names the description `file`.
-    pub fn name_where(
-        &self,
-        file: &Path,
-        packages: &Packages,
-        counts: impl Fn(&Path) -> bool,
-    ) -> bool {
-        self.of(file, packages)
+    pub fn name_where(&self, file: &Path, counts: impl Fn(&Path) -> bool) -> bool {
+        self.of(file)
             .iter()
             .any(|caller| caller.descriptions.contains_key(name_of(file)) && counts(&caller.path))
     }
 
     /// Whether something that runs names the description `file`, in part at least; a page does not run.
-    pub fn load(&self, file: &Path, packages: &Packages) -> bool {
-        self.of(file, packages)
+    pub fn load(&self, file: &Path) -> bool {
+        self.of(file)
             .iter()
             .any(|caller| !caller.is_page() && caller.says(file))
     }
 
     /// Whether a launch file may mean the description `file`.
-    pub fn launch(&self, file: &Path, packages: &Packages) -> bool {
-        self.of(file, packages).iter().any(Caller::is_launch)
+    pub fn launch(&self, file: &Path) -> bool {
+        self.of(file).iter().any(Caller::is_launch)
     }
 
     /// The xacro that the launch files are for that load the description `file`: the latest of them.
-    pub fn era(&self, file: &Path, packages: &Packages) -> Era {
-        let all = self.of(file, packages);
+    pub fn era(&self, file: &Path) -> Era {
+        let all = self.of(file);
         let era = |caller: &Caller| if caller.is_launch() { caller.era } else { None };
         let own = all
             .iter()
@@ -49,9 +43,9 @@ impl Callers {
             .filter_map(era)
             .max();
         // a file that no launch file names is for the xacro that those around it run, in its package before others
-        let package = packages.containing(file).map(|package| package.folder);
+        let package = self.packages.containing(file).map(|package| package.folder);
         let around = || {
-            let all = self.around(file, packages)?;
+            let all = self.around(file)?;
             let is_near = |caller: &&Caller| {
                 package
                     .as_ref()
@@ -64,31 +58,24 @@ impl Callers {
     }
 
     /// Whether programs load the description `file` into Bullet, and no launch file does.
-    pub fn load_in_bullet(&self, file: &Path, packages: &Packages) -> bool {
-        self.load_in(file, packages, |caller| caller.is_bullet)
+    pub fn load_in_bullet(&self, file: &Path) -> bool {
+        self.load_in(file, |caller| caller.is_bullet)
     }
 
     /// Whether programs load the description `file` into RaiSim, and no launch file does.
-    pub fn load_in_raisim(&self, file: &Path, packages: &Packages) -> bool {
-        self.load_in(file, packages, |caller| {
-            caller.is_raisim && !caller.is_bullet
-        })
+    pub fn load_in_raisim(&self, file: &Path) -> bool {
+        self.load_in(file, |caller| caller.is_raisim && !caller.is_bullet)
     }
 
     /// Whether all programs that load a description are of a kind, and no launch file does. Where no program names a description
     /// that belongs to no package, those around it count that load others.
-    fn load_in(
-        &self,
-        file: &Path,
-        packages: &Packages,
-        is_of_kind: impl Fn(&Caller) -> bool,
-    ) -> bool {
-        let all = self.of(file, packages);
+    fn load_in(&self, file: &Path, is_of_kind: impl Fn(&Caller) -> bool) -> bool {
+        let all = self.of(file);
         let is_free =
             |caller: &Caller| !caller.says(file) || !caller.is_launch() && !caller.is_program();
-        if all.iter().all(is_free) && packages.containing(file).is_none() {
+        if all.iter().all(is_free) && self.packages.containing(file).is_none() {
             return self
-                .around(file, packages)
+                .around(file)
                 .is_some_and(|uses| uses.callers.iter().any(&is_of_kind));
         }
         let mut loaders = all
@@ -100,15 +87,15 @@ impl Callers {
 
     /// Whether launch files load the description `file`, and all of them give it the argument `name`; programs where no launch file
     /// does. What runs xacro by a function of its own has the name as a key.
-    pub fn always_give(&self, file: &Path, name: &str, packages: &Packages) -> bool {
+    pub fn always_give(&self, file: &Path, name: &str) -> bool {
         let keys = [format!("'{name}':"), format!("\"{name}\":")];
         let gives = |caller: &&Caller| {
             caller.args.iter().any(|argument| argument.name == name)
-                || packages.is_text(&caller.path, |text| {
+                || self.packages.is_text(&caller.path, |text| {
                     keys.iter().any(|key| text.contains(key.as_str()))
                 })
         };
-        let all = self.of(file, packages);
+        let all = self.of(file);
         let loaders = || all.iter().filter(|caller| caller.says(file));
         let launches: Vec<&Caller> = loaders().filter(|caller| caller.is_launch()).collect();
         let programs = loaders().filter(|caller| caller.is_program());
@@ -121,16 +108,18 @@ impl Callers {
     }
 
     /// Whether a file that names the description `file` also says `word`.
-    pub fn mention(&self, file: &Path, word: &str, packages: &Packages) -> bool {
-        self.of(file, packages)
-            .iter()
-            .any(|caller| packages.is_text(&caller.path, |said| read::has_name(said, word)))
+    pub fn mention(&self, file: &Path, word: &str) -> bool {
+        self.of(file).iter().any(|caller| {
+            self.packages
+                .is_text(&caller.path, |said| read::has_name(said, word))
+        })
     }
 
     /// Whether a file that names the description `file` also holds `text`, letter for letter.
-    pub fn quote(&self, file: &Path, text: &str, packages: &Packages) -> bool {
-        self.of(file, packages)
-            .iter()
-            .any(|caller| packages.is_text(&caller.path, |said| said.contains(text)))
+    pub fn quote(&self, file: &Path, text: &str) -> bool {
+        self.of(file).iter().any(|caller| {
+            self.packages
+                .is_text(&caller.path, |said| said.contains(text))
+        })
     }
 }

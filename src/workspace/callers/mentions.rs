@@ -60,8 +60,8 @@ pub(super) struct TextMentions {
 
 impl Callers {
     /// Whether a text in the sources around a file holds its name; also where not all texts are known.
-    pub fn mention_file(&self, file: &Path, packages: &Packages) -> bool {
-        let own = packages.containing(file);
+    pub fn mention_file(&self, file: &Path) -> bool {
+        let own = self.packages.containing(file);
         let is_its = |(_, package): (&Path, Option<&str>)| {
             let own = own.as_ref().map(|package| package.name.as_str());
             package.is_none() || own.is_none() || package == own
@@ -69,29 +69,29 @@ impl Callers {
         let is_it = |mentions: Arc<TextMentions>| {
             !mentions.is_whole || mentions.with_packages(file).any(is_its)
         };
-        self.mentions(file, packages).is_none_or(is_it)
+        self.mentions(file).is_none_or(is_it)
     }
 
     /// Whether launch files and programs use what lies around a file, and no text there simulates, plans or controls anything.
-    pub fn never_simulate(&self, file: &Path, packages: &Packages) -> bool {
+    pub fn never_simulate(&self, file: &Path) -> bool {
         let simulates = |uses: Arc<Uses>| uses.callers.iter().any(|caller| caller.simulates);
-        if self.around(file, packages).is_none_or(simulates) {
+        if self.around(file).is_none_or(simulates) {
             return false;
         }
         let is_it =
             |mentions: Arc<TextMentions>| mentions.is_whole && mentions.runs && !mentions.simulates;
-        self.mentions(file, packages).is_some_and(is_it)
+        self.mentions(file).is_some_and(is_it)
     }
 
     /// Whether a program around a file builds the configuration of MoveIt, which finds descriptions by itself.
-    pub fn build_for_moveit(&self, file: &Path, packages: &Packages) -> bool {
-        self.mentions(file, packages)
+    pub fn build_for_moveit(&self, file: &Path) -> bool {
+        self.mentions(file)
             .is_none_or(|mentions| mentions.builds_moveit)
     }
 
     /// Whether no text around an SRDF holds its name, and none that runs puts the name of one together.
-    pub fn leave_srdf_alone(&self, file: &Path, packages: &Packages) -> bool {
-        self.mentions(file, packages).is_some_and(|mentions| {
+    pub fn leave_srdf_alone(&self, file: &Path) -> bool {
+        self.mentions(file).is_some_and(|mentions| {
             mentions.is_whole
                 && !mentions.takes_srdf
                 && !mentions.builds_moveit
@@ -101,26 +101,26 @@ impl Callers {
 
     /// Whether the pages around a file name only distributions whose xacro takes tags without their prefix, or it belongs to a
     /// container or an installation with one of these.
-    pub fn is_for_old_ros(&self, file: &Path, packages: &Packages) -> bool {
-        self.mentions(file, packages).is_some_and(|mentions| {
-            is_run_in_old(file, packages)
-                || is_installed_for_old(file, packages)
+    pub fn is_for_old_ros(&self, file: &Path) -> bool {
+        self.mentions(file).is_some_and(|mentions| {
+            is_run_in_old(file, &self.packages)
+                || is_installed_for_old(file, &self.packages)
                 || mentions.distributions == (true, false)
-                || !mentions.distributions.1 && is_edited_for_old(file, packages)
+                || !mentions.distributions.1 && is_edited_for_old(file, &self.packages)
         })
     }
 
     /// The texts around a file that start controllers.
-    pub fn starters(&self, file: &Path, packages: &Packages) -> Vec<PathBuf> {
-        self.mentions(file, packages)
+    pub fn starters(&self, file: &Path) -> Vec<PathBuf> {
+        self.mentions(file)
             .map_or_else(Vec::new, |mentions| mentions.starters.clone())
     }
 
     /// What the texts in the sources around a file say.
-    pub(super) fn mentions(&self, file: &Path, packages: &Packages) -> Option<Arc<TextMentions>> {
-        let top = packages.sources_around(file)?;
+    pub(super) fn mentions(&self, file: &Path) -> Option<Arc<TextMentions>> {
+        let top = self.packages.sources_around(file)?;
         Some(self.mentions.get(top.clone(), || {
-            Arc::new(TextMentions::below(&top, packages))
+            Arc::new(TextMentions::below(&top, &self.packages))
         }))
     }
 }

@@ -38,8 +38,8 @@ use packages::{AnswerCache, Packages};
 use uses::{Uses, search};
 
 /// The callers below some folders, found when somebody asks for them.
-#[derive(Default)]
 pub struct Callers {
+    packages: Arc<Packages>,
     below: AnswerCache<PathBuf, Arc<Uses>>,
     called: AnswerCache<PathBuf, Arc<called::LaunchCalls>>,
     copies: AnswerCache<PathBuf, Arc<copied::CopiedFolders>>,
@@ -47,14 +47,25 @@ pub struct Callers {
 }
 
 impl Callers {
+    /// Those of the descriptions in the folders around these packages.
+    pub fn new(packages: Arc<Packages>) -> Self {
+        Self {
+            packages,
+            below: AnswerCache::default(),
+            called: AnswerCache::default(),
+            copies: AnswerCache::default(),
+            mentions: AnswerCache::default(),
+        }
+    }
+
     /// The files that call the description `file`: first those that name it, then those that may, since they compute the
     /// name; each in the order of their paths.
-    pub fn of(&self, file: &Path, packages: &Packages) -> Vec<Caller> {
+    pub fn of(&self, file: &Path) -> Vec<Caller> {
         let name = name_of(file);
-        let Some(all) = self.around(file, packages).filter(|_| !name.is_empty()) else {
+        let Some(all) = self.around(file).filter(|_| !name.is_empty()) else {
             return Vec::new();
         };
-        let is_named = |caller: &&Caller| all.names(caller, file, packages, true);
+        let is_named = |caller: &&Caller| all.names(caller, file, &self.packages, true);
         let named = all.callers.iter().filter(is_named);
         let may_name = |caller: &&Caller| {
             !caller.descriptions.contains_key(name)
@@ -64,29 +75,30 @@ impl Callers {
                     .any(|ending| name.ends_with(ending.as_str()))
         };
         let computed = all.callers.iter().filter(may_name);
-        let may_mean =
-            |caller: &&Caller| caller.computes_the_file() || may_mean(&caller.path, file, packages);
+        let may_mean = |caller: &&Caller| {
+            caller.computes_the_file() || may_mean(&caller.path, file, &self.packages)
+        };
         named.chain(computed).filter(may_mean).cloned().collect()
     }
 
     /// What is known of the sources around a file.
-    fn around(&self, file: &Path, packages: &Packages) -> Option<Arc<Uses>> {
-        let top = packages.sources_around(file)?;
+    fn around(&self, file: &Path) -> Option<Arc<Uses>> {
+        let top = self.packages.sources_around(file)?;
         Some(
             self.below
-                .get(top.clone(), || Arc::new(search(packages.vfs(), &top))),
+                .get(top.clone(), || Arc::new(search(self.packages.vfs(), &top))),
         )
     }
 
     /// The files around `file` that may belong to robots, by their names: SRDF, YAML, what MoveIt's setup assistant wrote.
-    pub fn beside(&self, file: &Path, packages: &Packages) -> Vec<PathBuf> {
-        self.around(file, packages)
+    pub fn beside(&self, file: &Path) -> Vec<PathBuf> {
+        self.around(file)
             .map_or_else(Vec::new, |all| all.beside.clone())
     }
 
     /// The descriptions around `file`, in the order of their paths.
-    pub fn descriptions(&self, file: &Path, packages: &Packages) -> Arc<Vec<PathBuf>> {
-        let all = self.around(file, packages);
+    pub fn descriptions(&self, file: &Path) -> Arc<Vec<PathBuf>> {
+        let all = self.around(file);
         all.map(|all| all.sorted.clone()).unwrap_or_default()
     }
 

@@ -25,19 +25,22 @@ const ARCHIVES: [&str; 4] = [".tgz", ".tar", ".zip", ".tbz"];
 
 impl Callers {
     /// Whether a page names the description `file` to be used: not only in a table of files, unless that says how xacro is run.
-    pub fn tell_to_use(&self, file: &Path, packages: &Packages) -> bool {
+    pub fn tell_to_use(&self, file: &Path) -> bool {
         let name = name_of(file);
         let is_use = |line: &str| {
             line.contains(name) && (!line.trim_start().starts_with('|') || runs_xacro(line))
         };
-        self.of(file, packages)
+        self.of(file)
             .iter()
             .filter(|caller| caller.is_page())
-            .any(|page| packages.is_text(&page.path, |text| text.lines().any(is_use)))
+            .any(|page| {
+                self.packages
+                    .is_text(&page.path, |text| text.lines().any(is_use))
+            })
     }
 
     /// Whether nothing but programs of MATLAB loads the description `file`, for its kinematics.
-    pub fn load_for_kinematics(&self, file: &Path, packages: &Packages) -> bool {
+    pub fn load_for_kinematics(&self, file: &Path) -> bool {
         const DYNAMICS: [&str; 7] = [
             "inverseDynamics",
             "forwardDynamics",
@@ -49,11 +52,11 @@ impl Callers {
         ];
         let is_kinematic = |caller: &Caller| {
             caller.path.extension().is_some_and(|ending| ending == "m")
-                && packages.is_text(&caller.path, |text| {
+                && self.packages.is_text(&caller.path, |text| {
                     text.contains("importrobot") && !has_any(text, &DYNAMICS)
                 })
         };
-        let all = self.of(file, packages);
+        let all = self.of(file);
         let mut loaders = all
             .iter()
             .filter(|caller| caller.says(file) && !caller.is_page())
@@ -62,34 +65,36 @@ impl Callers {
     }
 
     /// Whether all that names the description `file` are programs in Python that write it, whatever they read of it again.
-    pub fn only_write(&self, file: &Path, packages: &Packages) -> bool {
+    pub fn only_write(&self, file: &Path) -> bool {
         let name = name_of(file);
         let writes = |line: &str| {
             line.contains(name)
                 && (line.contains(".write(")
                     || line.contains("open(") && (line.contains("\"w\"") || line.contains("'w'")))
         };
-        let all = self.of(file, packages);
+        let all = self.of(file);
         let mut named = all.iter().filter(|caller| caller.says(file)).peekable();
         named.peek().is_some()
             && named.all(|caller| {
                 caller.path.extension().is_some_and(|ending| ending == "py")
                     && !caller.is_launch()
-                    && packages.is_text(&caller.path, |text| text.lines().any(writes))
+                    && self
+                        .packages
+                        .is_text(&caller.path, |text| text.lines().any(writes))
             })
     }
 
     /// Whether a program in Python or a shell that names the description `file` holds `text`, letter for letter: neither knows
     /// `$(find ...)`, so it puts something else for it.
-    pub fn rewrite(&self, file: &Path, text: &str, packages: &Packages) -> bool {
-        self.of(file, packages)
+    pub fn rewrite(&self, file: &Path, text: &str) -> bool {
+        self.of(file)
             .iter()
             .map(|caller| &caller.path)
             .filter(|path| {
                 path.extension()
                     .is_some_and(|ending| ending == "py" || ending == "sh")
             })
-            .any(|path| packages.is_text(path, |said| said.contains(text)))
+            .any(|path| self.packages.is_text(path, |said| said.contains(text)))
     }
 }
 

@@ -88,25 +88,23 @@ impl Purpose {
 
 impl Callers {
     /// What is done with the description `file`, alone or as a part of others; none where not all texts around it are known.
-    pub fn purpose(&self, file: &Path, packages: &Packages) -> Option<Purpose> {
-        let mentions = self
-            .mentions(file, packages)
-            .filter(|mentions| mentions.is_whole)?;
+    pub fn purpose(&self, file: &Path) -> Option<Purpose> {
+        let mentions = self.mentions(file).filter(|mentions| mentions.is_whole)?;
         let mut purpose = Purpose {
             is_applied: mentions.moves,
             ..Purpose::default()
         };
-        let mut open = self.loaders(file, &mentions, packages);
+        let mut open = self.loaders(file, &mentions);
         let mut seen: FastSet<PathBuf> = FastSet::default();
         while let Some(path) = open.pop() {
-            if !is_run(&path, packages) || !seen.insert(path.clone()) {
+            if !is_run(&path, &self.packages) || !seen.insert(path.clone()) {
                 continue;
             }
             purpose.add(&path, &mentions);
-            open.extend(self.loaders(&path, &mentions, packages));
+            open.extend(self.loaders(&path, &mentions));
         }
         if purpose.is_loaded && !purpose.is_weighed {
-            for path in self.simulators_beside(file, &seen, &mentions, packages) {
+            for path in self.simulators_beside(file, &seen, &mentions) {
                 purpose.add(path, &mentions);
             }
         }
@@ -114,50 +112,51 @@ impl Callers {
     }
 
     /// Whether a description has something that only Gazebo runs.
-    pub fn is_for_gazebo(&self, file: &Path, packages: &Packages) -> bool {
-        self.mentions(file, packages)
+    pub fn is_for_gazebo(&self, file: &Path) -> bool {
+        self.mentions(file)
             .is_some_and(|mentions| mentions.weighs(file))
     }
 
     /// The texts that name a file, compute a part of its name, or take any: the last where no text names another description of its
     /// package.
-    fn loaders(&self, file: &Path, mentions: &TextMentions, packages: &Packages) -> Vec<PathBuf> {
-        let named = mentions.of(file).filter(|by| may_mean(by, file, packages));
+    fn loaders(&self, file: &Path, mentions: &TextMentions) -> Vec<PathBuf> {
+        let named = mentions
+            .of(file)
+            .filter(|by| may_mean(by, file, &self.packages));
         let mut found: Vec<PathBuf> = named.map(Path::to_owned).collect();
         if let Some(all) = self
-            .around(file, packages)
+            .around(file)
             .filter(|_| file_names::is_description(name_of(file)))
         {
-            let is_another_named = is_another_named(&all, file, packages);
+            let is_another_named = is_another_named(&all, file, &self.packages);
             let loads = |caller: &&Caller| {
                 caller.ends_in_word(file)
                     || !is_another_named
                         && (caller.ends(file) || caller.is_open && caller.is_launch())
             };
             let callers = all.callers.iter().filter(loads).map(|caller| &caller.path);
-            let may_mean = |by: &&PathBuf| may_mean(by, file, packages);
+            let may_mean = |by: &&PathBuf| may_mean(by, file, &self.packages);
             found.extend(callers.filter(may_mean).cloned());
         }
         found
     }
 
-    /// Launch files and programs that need masses of a robot without naming one, in the packages of a description and of the launch
+    /// Launch files and programs that need masses of a robot without naming one, in the &self.packages of a description and of the launch
     /// files that load it: they take what a topic or parameter holds.
     fn simulators_beside<'m>(
         &self,
         file: &Path,
         loaders: &FastSet<PathBuf>,
         mentions: &'m TextMentions,
-        packages: &Packages,
     ) -> Vec<&'m Path> {
         let folders: FastSet<PathBuf> = loaders
             .iter()
             .filter(|path| file_names::is_launch(path))
             .map(PathBuf::as_path)
             .chain([file])
-            .filter_map(|path| Some(packages.containing(path)?.folder))
+            .filter_map(|path| Some(self.packages.containing(path)?.folder))
             .collect();
-        let Some(uses) = self.around(file, packages) else {
+        let Some(uses) = self.around(file) else {
             return Vec::new();
         };
         let names_one = |path: &Path| {
@@ -170,7 +169,7 @@ impl Callers {
             .filter(|path| file_names::is_launch(path) || file_names::is_program(path));
         simulators
             .filter(|path| {
-                packages
+                self.packages
                     .containing(path)
                     .is_some_and(|package| folders.contains(&package.folder))
                     && !names_one(path)
@@ -180,30 +179,29 @@ impl Callers {
 
     /// Whether launch files and programs simulate what lies around a file, none of them with a simulator that refuses a tensor that no
     /// body has.
-    pub fn never_refuse(&self, file: &Path, packages: &Packages) -> bool {
-        self.mentions(file, packages)
+    pub fn never_refuse(&self, file: &Path) -> bool {
+        self.mentions(file)
             .is_some_and(|all| all.is_whole && all.needs_masses() && all.runs && !all.refuses)
     }
 
     /// Whether a launch file starts the controllers or simulation of another description that is there, and none names this one.
-    pub fn control_another(&self, file: &Path, packages: &Packages) -> bool {
+    pub fn control_another(&self, file: &Path) -> bool {
         const STARTS: [&str; 4] = ["controller_manager", "ros2_control_node", "gazebo", "gz_"];
         let is_it = |all: Arc<Uses>| {
             let mut launches = all.callers.iter().filter(|caller| caller.is_launch());
             launches.any(|caller| {
-                all.has_another(caller, file, packages)
-                    && packages.is_text(&caller.path, |text| has_any(text, &STARTS))
+                all.has_another(caller, file, &self.packages)
+                    && self
+                        .packages
+                        .is_text(&caller.path, |text| has_any(text, &STARTS))
             })
         };
-        let mut named = self
-            .of(file, packages)
-            .into_iter()
-            .filter(Caller::is_launch);
-        !named.any(|caller| caller.says(file)) && self.around(file, packages).is_some_and(is_it)
+        let mut named = self.of(file).into_iter().filter(Caller::is_launch);
+        !named.any(|caller| caller.says(file)) && self.around(file).is_some_and(is_it)
     }
 
     /// Whether nothing but launch files that spawn models of Gazebo under a name of their own load a description.
-    pub fn only_spawn(&self, file: &Path, packages: &Packages) -> bool {
+    pub fn only_spawn(&self, file: &Path) -> bool {
         const NAMES: [&str; 2] = ["-model ", "-entity"];
         const READS: [&str; 4] = [
             "robot_state_publisher",
@@ -212,11 +210,11 @@ impl Callers {
             "controller_manager",
         ];
         let spawns = |caller: &Caller| {
-            packages.is_text(&caller.path, |text| {
+            self.packages.is_text(&caller.path, |text| {
                 text.contains("spawn_") && has_any(text, &NAMES) && !has_any(text, &READS)
             })
         };
-        let all = self.of(file, packages);
+        let all = self.of(file);
         let mut loaders = all
             .iter()
             .filter(|caller| caller.says(file) && !caller.is_page())
@@ -225,42 +223,42 @@ impl Callers {
     }
 
     /// Whether launch files around a file spawn models of SDF, and no launch file or program there loads a description.
-    pub fn spawn_models_instead(&self, file: &Path, packages: &Packages) -> bool {
+    pub fn spawn_models_instead(&self, file: &Path) -> bool {
         let loads = |caller: &Caller| caller.is_launch() || caller.is_program();
         // to read all texts takes longer than to ask those that name descriptions
-        self.around(file, packages)
+        self.around(file)
             .is_some_and(|uses| !uses.callers.iter().any(loads))
             && self
-                .mentions(file, packages)
+                .mentions(file)
                 .is_some_and(|all| all.is_whole && all.spawns_models)
     }
 
     /// Whether a file lies in a package that was put aside: no text names it, and another package, which texts do name, has a
     /// file at the same place.
-    pub fn is_put_aside(&self, file: &Path, packages: &Packages) -> bool {
-        let Some(own) = packages.containing(file) else {
+    pub fn is_put_aside(&self, file: &Path) -> bool {
+        let Some(own) = self.packages.containing(file) else {
             return false;
         };
-        let Some(top) = packages.sources_around(file) else {
+        let Some(top) = self.packages.sources_around(file) else {
             return false;
         };
         let inside = file.strip_prefix(&own.folder).unwrap_or(file);
         let is_twin = |(name, folder): &(String, PathBuf)| {
-            *name != own.name && packages.vfs().is_file(&folder.join(inside))
+            *name != own.name && self.packages.vfs().is_file(&folder.join(inside))
         };
-        let mut twins = packages.below(&top);
+        let mut twins = self.packages.below(&top);
         twins.retain(is_twin);
         if twins.is_empty() {
             return false;
         }
-        let Some(mentions) = self.mentions(file, packages).filter(|all| all.is_whole) else {
+        let Some(mentions) = self.mentions(file).filter(|all| all.is_whole) else {
             return false;
         };
         !mentions.is_named(&own.name) && twins.iter().any(|(name, _)| mentions.is_named(name))
     }
 
     /// Whether there are launch files or programs around a file.
-    pub fn run_something(&self, file: &Path, packages: &Packages) -> bool {
-        self.mentions(file, packages).is_some_and(|all| all.runs)
+    pub fn run_something(&self, file: &Path) -> bool {
+        self.mentions(file).is_some_and(|all| all.runs)
     }
 }

@@ -1,8 +1,17 @@
 //! Callers of robots, and what they give.
 
+use std::sync::Arc;
+
 use super::Callers;
 use packages::{PackageOptions, Packages};
 use vfs::testing::Tree;
+
+/// The callers in a tree of files.
+pub(super) fn callers_in(tree: &Tree) -> Callers {
+    let environment = tree.environment(&[]);
+    let packages = Packages::new(tree.vfs().clone(), &environment, PackageOptions::default());
+    Callers::new(Arc::new(packages))
+}
 
 #[test]
 fn launch_files_of_other_packages_count() {
@@ -26,13 +35,8 @@ fn launch_files_of_other_packages_count() {
     );
     tree.write("ws/build/arm.launch.py", "'arm.urdf.xacro built:=1'");
     tree.write("ws/src/arm/CHANGELOG.rst", "arm.urdf.xacro log:=1");
-    let packages = Packages::new(
-        tree.vfs().clone(),
-        &tree.environment(&[]),
-        PackageOptions::default(),
-    );
-    let callers = Callers::default();
-    let found = callers.of(&tree.path("ws/src/arm/urdf/arm.urdf.xacro"), &packages);
+    let callers = callers_in(&tree);
+    let found = callers.of(&tree.path("ws/src/arm/urdf/arm.urdf.xacro"));
     let args: Vec<_> = found.iter().flat_map(|caller| &caller.args).collect();
     assert_eq!(args.len(), 1);
     assert_eq!(
@@ -41,7 +45,7 @@ fn launch_files_of_other_packages_count() {
     );
     assert!(
         callers
-            .of(&tree.path("ws/src/arm/urdf/hand.urdf.xacro"), &packages)
+            .of(&tree.path("ws/src/arm/urdf/hand.urdf.xacro"))
             .is_empty()
     );
 }
@@ -68,12 +72,7 @@ fn configurations_give_arguments_and_pass_them_on() {
         "ws/src/other/config/config.yaml",
         "urdf_params:\n  - leg: 1\n",
     );
-    let packages = Packages::new(
-        tree.vfs().clone(),
-        &tree.environment(&[]),
-        PackageOptions::default(),
-    );
-    let found = Callers::default().of(&tree.path("ws/src/arm_base/urdf/arm.xacro"), &packages);
+    let found = callers_in(&tree).of(&tree.path("ws/src/arm_base/urdf/arm.xacro"));
     let given = found.iter().map(|caller| {
         caller
             .args
