@@ -76,20 +76,6 @@ impl Session {
         } else if self.is_set_aside(&task.file) {
             self.lower_unused(&task.file, findings);
         }
-        let about_simulation = |finding: &Finding| {
-            finding.rule.category == Category::Inertia || finding.rule.has(Trait::Contact)
-        };
-        self.lower_where(findings, about_simulation, || {
-            self.callers.only_show(&task.file).then_some(Severity::Info)
-        });
-        // a value of the wrong sign is a slip, whoever reads it
-        let is_idle =
-            |finding: &Finding| about_simulation(finding) && !finding.rule.has(Trait::WrongSign);
-        self.lower_where(findings, is_idle, || {
-            let is_idle = !self.callers.load(&task.file) && self.callers.never_simulate(&task.file)
-                || self.callers.load_for_kinematics(&task.file);
-            is_idle.then_some(Severity::Info)
-        });
         let is_impossible = |finding: &Finding| finding.rule == named::INERTIA_TRIANGLE_INEQUALITY;
         self.lower_where(findings, is_impossible, || {
             self.callers

@@ -37,7 +37,7 @@ impl Session {
             return Vec::new();
         };
         // the assistant itself asks for another file
-        let is_needed = self.callers.build_for_moveit(&own.path);
+        let is_needed = || self.callers.build_for_moveit(&own.path);
         let mut found = Vec::new();
         if let (Some(srdf), Some(package)) = (&assistant.srdf, &package)
             && self.is_not_there(&package.folder.join(srdf.name.as_str()))
@@ -51,7 +51,7 @@ impl Session {
             let is_made = self.beside_around(&own.path).iter().any(is_source);
             found.push(at_most_info(
                 finding,
-                !is_needed || is_made || is_for_windows(srdf),
+                !is_needed() || is_made || is_for_windows(srdf),
             ));
         }
         let (Some(name), Some(urdf)) = (&assistant.package, &assistant.urdf) else {
@@ -68,7 +68,7 @@ impl Session {
         if self.is_not_there(&file) {
             let finding =
                 setup_assistant_file_not_found(span_of(own, urdf), &urdf.name, &name.name);
-            found.push(at_most_info(finding, !is_needed || is_for_windows(urdf)));
+            found.push(at_most_info(finding, !is_needed() || is_for_windows(urdf)));
         }
         if self.vfs.is_file(&file) {
             found.extend(self.assistant_failure(own, assistant, &file, robots, cancel));

@@ -26,8 +26,6 @@ pub struct Caller {
     pub(super) is_bullet: bool,
     /// Whether it loads files into RaiSim.
     pub(super) is_raisim: bool,
-    /// Whether it starts RViz.
-    pub(super) shows: bool,
     /// The arguments it gives, in order.
     pub args: Vec<GivenArg>,
     /// The package whose configuration it completes.

@@ -11,26 +11,6 @@ use super::uses::Uses;
 use base::FastSet;
 
 impl Callers {
-    /// Whether launch files load the description `file` to show it in RViz and for nothing else, while others simulate or plan
-    /// with another description that is there.
-    pub fn only_show(&self, file: &Path) -> bool {
-        let launches: Vec<Caller> = self
-            .of(file)
-            .into_iter()
-            .filter(|caller| caller.is_launch() && caller.says(file))
-            .collect();
-        let simulates_another = |all: Arc<Uses>| {
-            all.load_another(file, &self.packages, |caller| {
-                caller.is_launch() && caller.simulates
-            })
-        };
-        !launches.is_empty()
-            && launches
-                .iter()
-                .all(|caller| caller.shows && !caller.simulates)
-            && self.around(file).is_some_and(simulates_another)
-    }
-
     /// Whether a launch file around `file` loads a description that is there.
     pub fn launch_any(&self, file: &Path) -> bool {
         self.around(file)

@@ -7,7 +7,6 @@ use super::Callers;
 use super::file_names::{self, name_of};
 use super::read::{self, has_any};
 use super::text_words::TextWords;
-use super::uses::Uses;
 use super::walk::walk;
 use base::{FastMap, FastSet};
 use packages::Packages;
@@ -38,8 +37,6 @@ pub(super) struct TextMentions {
     builds_moveit: bool,
     /// Whether a text that runs may find an SRDF whose name it does not spell out.
     takes_srdf: bool,
-    /// Whether a text simulates, plans or controls something.
-    simulates: bool,
     /// Whether a launch file or program plans or controls something, or simulates it.
     pub moves: bool,
     /// What texts that run something, and descriptions, say of programs, where they say something.
@@ -70,17 +67,6 @@ impl Callers {
             !mentions.is_whole || mentions.with_packages(file).any(is_its)
         };
         self.mentions(file).is_none_or(is_it)
-    }
-
-    /// Whether launch files and programs use what lies around a file, and no text there simulates, plans or controls anything.
-    pub fn never_simulate(&self, file: &Path) -> bool {
-        let simulates = |uses: Arc<Uses>| uses.callers.iter().any(|caller| caller.simulates);
-        if self.around(file).is_none_or(simulates) {
-            return false;
-        }
-        let is_it =
-            |mentions: Arc<TextMentions>| mentions.is_whole && mentions.runs && !mentions.simulates;
-        self.mentions(file).is_some_and(is_it)
     }
 
     /// Whether a program around a file builds the configuration of MoveIt, which finds descriptions by itself.
@@ -151,7 +137,6 @@ impl TextMentions {
         let is_page = file_names::is_page(path);
         let words = TextWords::of(text);
         let is_run = !is_description && !is_page;
-        self.simulates |= words.simulates();
         self.moves |= is_run && words.simulates();
         self.has_own_model |= words.is_own_model();
         self.refuses |= !is_page && words.refuses();

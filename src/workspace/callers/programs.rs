@@ -3,7 +3,6 @@
 use std::path::Path;
 
 use super::Callers;
-use super::caller::Caller;
 use super::file_names::{self, name_of};
 use super::read::{self, has_any};
 use super::walk::walk;
@@ -37,31 +36,6 @@ impl Callers {
                 self.packages
                     .is_text(&page.path, |text| text.lines().any(is_use))
             })
-    }
-
-    /// Whether nothing but programs of MATLAB loads the description `file`, for its kinematics.
-    pub fn load_for_kinematics(&self, file: &Path) -> bool {
-        const DYNAMICS: [&str; 7] = [
-            "inverseDynamics",
-            "forwardDynamics",
-            "massMatrix",
-            "gravityTorque",
-            "velocityProduct",
-            "centerOfMass",
-            "smimport",
-        ];
-        let is_kinematic = |caller: &Caller| {
-            caller.path.extension().is_some_and(|ending| ending == "m")
-                && self.packages.is_text(&caller.path, |text| {
-                    text.contains("importrobot") && !has_any(text, &DYNAMICS)
-                })
-        };
-        let all = self.of(file);
-        let mut loaders = all
-            .iter()
-            .filter(|caller| caller.says(file) && !caller.is_page())
-            .peekable();
-        loaders.peek().is_some() && loaders.all(is_kinematic)
     }
 
     /// Whether all that names the description `file` are programs in Python that write it, whatever they read of it again.

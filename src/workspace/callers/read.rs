@@ -61,7 +61,6 @@ pub(super) fn caller(path: &Path, text: &str) -> Option<Caller> {
         is_bullet: has_any(text, &["loadURDF(", "Bullet", "pybullet"]),
         is_raisim: has_any(text, &["addArticulatedSystem", "raisim"]),
         simulates: TextWords::is_about_simulation(text),
-        shows: text.contains("rviz"),
         args,
         based_on,
     })
