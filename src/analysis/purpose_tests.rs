@@ -250,3 +250,39 @@ fn parts_that_are_simulated_alone() {
     let simulates = "<param command='xacro $(find arm)/urdf/arm.xacro'/><node pkg='gazebo_ros'/>";
     assert!(of(simulates) > Some(Severity::Info));
 }
+
+#[test]
+fn transmissions_that_nothing_reads() {
+    let robot = "<robot name='arm'><link name='base'/><link name='tip'/><joint name='turn' type='continuous'>\
+        <parent link='base'/><child link='tip'/><axis xyz='0 0 1'/></joint>\
+        <transmission name='t'><type>transmission_interface/SimpleTransmission</type><joint name='other'>\
+        <hardwareInterface>PositionJointInterface</hardwareInterface></joint><actuator name='m'/></transmission></robot>";
+    let of = |launch: &str, others: &[(&str, &str)]| {
+        let own = [
+            (
+                "package.xml",
+                "<package><name>arm</name><buildtool_depend>catkin</buildtool_depend></package>",
+            ),
+            ("urdf/arm.urdf", robot),
+            ("launch/arm.launch", launch),
+        ];
+        severity("transmission-unknown-joint", &[&own, others].concat())
+    };
+    let loads = |node: &str| {
+        format!("<param textfile='$(find arm)/urdf/arm.urdf'/><node pkg='{node}' type='go'/>")
+    };
+    assert_eq!(
+        of(&loads("moveit_ros_move_group"), &[]),
+        Some(Severity::Info)
+    );
+    // what is only shown here may be controlled by others
+    assert_eq!(of(&loads("rviz"), &[]), Some(Severity::Warning));
+    assert_eq!(of(&loads("controller_manager"), &[]), Some(Severity::Error));
+    assert_eq!(of(&loads("gazebo_ros"), &[]), Some(Severity::Error));
+    let starts = (
+        "launch/control.launch",
+        "<include file='$(find arm)/launch/arm.launch'/><node pkg='controller_manager'/>",
+    );
+    assert_eq!(of(&loads("rviz"), &[starts]), Some(Severity::Error));
+    assert_eq!(of("", &[]), Some(Severity::Error));
+}

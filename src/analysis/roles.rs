@@ -176,14 +176,16 @@ impl Session {
         if matches!(task.reason, CheckReason::Root | CheckReason::Alone) || finding.fix.is_some() {
             return false;
         }
+        let name = || {
+            let source = self.vfs.document(&self.vfs.path(finding.span.file));
+            source.map(|source| source.document.slice(finding.span.range))
+        };
         let is_open = match (&finding.outside, finding.problem) {
             (Some(Outside::Argument(_)), Some(ProblemKind::UndefinedArg)) => {
                 self.packages.containing(&task.file).is_some()
             }
             (Some(Outside::Includer), Some(ProblemKind::UndefinedProperty)) => {
-                let name = self.vfs.document(&self.vfs.path(finding.span.file));
-                let name = name.map(|source| source.document.slice(finding.span.range));
-                name.is_ok_and(|name| {
+                name().is_ok_and(|name| {
                     self.included_around(&task.file)
                         .is_some_and(|all| all.defines(&name))
                 })
@@ -196,8 +198,51 @@ impl Session {
                 Some(ProblemKind::UndefinedArg) => {
                     !self.callers.load(&task.file) && !self.callers.tell_to_use(&task.file)
                 }
-                _ => !self.callers.name(&task.file),
+                // who only writes of a file does not expand it
+                _ => {
+                    !self.callers.name(&task.file)
+                        || !self.is_expanded(&task.file)
+                            && name().is_ok_and(|name| self.is_defined_above(&task.file, &name))
+                }
             }
+    }
+
+    /// Whether a launch file expands a file by itself.
+    fn is_called(&self, file: &Path) -> bool {
+        let calls = self.callers.calls(file);
+        calls
+            .iter()
+            .any(|call| call.target.as_deref() == Some(file))
+    }
+
+    /// Whether a text runs xacro on a file by itself.
+    fn is_expanded(&self, file: &Path) -> bool {
+        let name = file.file_name().unwrap_or_default().to_string_lossy();
+        self.is_called(file) || self.callers.quote(file, &format!("xacro {name}"))
+    }
+
+    /// Whether a file that includes this one, whatever the condition around the include, defines a property.
+    fn is_defined_above(&self, file: &Path, name: &str) -> bool {
+        let mut open = self.includers(file);
+        let mut seen: FastSet<PathBuf> = FastSet::default();
+        while let Some(file) = open.pop() {
+            let defines = self.vfs.document(&file).is_ok_and(|source| {
+                let nodes = source
+                    .document
+                    .parts()
+                    .flat_map(|(_, item)| item.all_nodes());
+                let mut properties = nodes.filter(|node| node.name() == "xacro:property");
+                properties.any(|node| node.attr("name").is_some_and(|own| own.raw() == name))
+            });
+            if defines {
+                return true;
+            }
+            let above = self.includers(&file);
+            if seen.insert(file) {
+                open.extend(above.into_iter().filter(|file| !seen.contains(file)));
+            }
+        }
+        false
     }
 
     /// Whether a file of the workspace includes this one, whatever the condition around the include.
@@ -211,11 +256,7 @@ impl Session {
         if self.is_passed(file) {
             return true;
         }
-        let calls = self.callers.calls(file);
-        if calls
-            .iter()
-            .any(|call| call.target.as_deref() == Some(file))
-        {
+        if self.is_called(file) {
             return false;
         }
         let included = self.included_around(file);

@@ -114,7 +114,24 @@ fn parts_of_robots_are_not_judged_as_robots() {
         &[
             "hand.xacro error undefined-link",
             "hand.xacro error undefined-property",
-            "hand.xacro error transmission-unknown-joint",
+            "hand.xacro warning transmission-unknown-joint",
+        ],
+    );
+    // a launch file that only writes of the part does not expand it
+    let writes = (
+        "see.launch",
+        "<arg name='hand' doc='adds what hand.xacro has'/>",
+    );
+    check_roles(
+        &[
+            ("r.urdf.xacro", &behind_condition),
+            ("hand.xacro", part),
+            writes,
+        ],
+        &[
+            "hand.xacro error undefined-link",
+            "hand.xacro info undefined-property",
+            "hand.xacro warning transmission-unknown-joint",
         ],
     );
 }

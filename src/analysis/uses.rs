@@ -60,6 +60,21 @@ impl Session {
                 && self.is_in_idle_default(file, finding)
         };
         self.lower_where(findings, is_unread, info);
+        let is_of_source = |finding: &Finding| {
+            finding.rule == named::MISSING_PACKAGE_DEPENDENCY
+                && self.is_made_from_another(&self.vfs.path(finding.span.file))
+        };
+        self.lower_where(findings, is_of_source, info);
+    }
+
+    /// Whether xacro made a file of another one that is there: its package needs what that one needs.
+    fn is_made_from_another(&self, file: &Path) -> bool {
+        let source = self.vfs.document(file).ok();
+        let name = source.and_then(|source| generated_from(&source));
+        name.is_some_and(|name| {
+            let all = self.callers.descriptions(file);
+            all.iter().any(|other| other.ends_with(&name))
+        })
     }
 
     /// What matters only to simulators and planners is an info where none of them gets the robot, and so is what is wrong in a robot
@@ -96,6 +111,12 @@ impl Session {
         // where robots are only shown, others may load what nothing here does, or simulate it
         let is_used = purpose.is_loaded || self.callers.load_any(file);
         if !(purpose.is_applied && is_used) {
+            let is_idle = |finding: &Finding| {
+                finding.rule.has(Trait::Transmission) && is_without_effect(finding, purpose)
+            };
+            self.lower_where(findings, is_idle, || {
+                purpose.is_loaded.then_some(Severity::Warning)
+            });
             return;
         }
         let is_unreached = may_be_unreached && !purpose.is_loaded && self.is_unreached(file);
@@ -257,6 +278,7 @@ fn is_without_effect(finding: &Finding, purpose: Purpose) -> bool {
     about_masses && !purpose.is_weighed
         || rule.has(Trait::Contact) && !purpose.is_met
         || rule.has(Trait::Simulation) && !purpose.is_weighed && !purpose.is_met
+        || rule.has(Trait::Transmission) && !purpose.is_weighed && !purpose.is_controlled
 }
 
 /// Whether a finding is an error for whoever loads the file at all, whatever it is used for: xacro or a parser stops, or a file is

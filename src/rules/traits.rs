@@ -16,6 +16,8 @@ pub enum Trait {
     Contact,
     /// About what simulators and planners do, which a robot that is only shown does not need.
     Simulation,
+    /// About transmissions, which only controllers read, and simulators that run some.
+    Transmission,
     /// urdfdom rejects it, and Bullet accepts it. Source: `UrdfParser.cpp` of Bullet 3.25, and loading with PyBullet.
     AcceptedByBullet,
     /// urdfdom rejects it, and RaiSim accepts it: vectors with commas, joints without limits, spherical joints, a material twice.
@@ -61,6 +63,13 @@ static CONTACT: [&Rule; 2] = [
 static SIMULATION: [&Rule; 2] = [
     &control::gazebo_unknown_reference::RULE,
     &joint::mimic_range_exceeds_limits::RULE,
+];
+
+static TRANSMISSION: [&Rule; 4] = [
+    &control::transmission_missing_actuator::RULE,
+    &control::transmission_missing_hardware_interface::RULE,
+    &control::transmission_unknown_joint::RULE,
+    &control::transmission_unknown_type::RULE,
 ];
 
 static CONTROLLER: [&Rule; 2] = [
@@ -173,6 +182,7 @@ impl Trait {
             Trait::Deprecated => &DEPRECATED,
             Trait::Contact => &CONTACT,
             Trait::Simulation => &SIMULATION,
+            Trait::Transmission => &TRANSMISSION,
             Trait::AcceptedByBullet => &ACCEPTED_BY_BULLET,
             Trait::AcceptedByRaiSim => &ACCEPTED_BY_RAISIM,
             Trait::WrongSign => &WRONG_SIGN,

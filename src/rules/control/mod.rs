@@ -28,10 +28,10 @@ mod ros2_control_param_nonpositive_size;
 mod ros2_control_unknown_interface;
 mod ros2_control_unknown_joint;
 mod ros2_control_unknown_tag;
-mod transmission_missing_actuator;
-mod transmission_missing_hardware_interface;
+pub(super) mod transmission_missing_actuator;
+pub(super) mod transmission_missing_hardware_interface;
 pub(super) mod transmission_unknown_joint;
-mod transmission_unknown_type;
+pub(super) mod transmission_unknown_type;
 mod transmissions;
 
 use super::rule::Rule;

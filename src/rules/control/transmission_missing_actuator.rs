@@ -5,7 +5,7 @@ use super::super::sink::Sink;
 use super::transmissions::{severity, type_of};
 use model::{source_mentions, tag_start};
 
-pub(super) static RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "CTL022",
     name: "transmission-missing-actuator",
     category: Category::Control,

@@ -6,7 +6,7 @@ use expand::XTree;
 use model::{AttrValue, Transmission, tag_start};
 use packages::RosVersion;
 
-pub(super) static RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "CTL013",
     name: "transmission-missing-hardware-interface",
     category: Category::Control,

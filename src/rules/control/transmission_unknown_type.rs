@@ -7,7 +7,7 @@ use super::super::sink::Sink;
 use super::transmissions::{severity, type_of};
 use packages::nearest;
 
-pub(super) static RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "CTL023",
     name: "transmission-unknown-type",
     category: Category::Control,

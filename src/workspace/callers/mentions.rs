@@ -235,6 +235,11 @@ impl TextMentions {
         !file_names::is_description(name_of(path)) && self.words(path).meets()
     }
 
+    /// Whether a text runs controllers.
+    pub fn controls(&self, path: &Path) -> bool {
+        !file_names::is_description(name_of(path)) && self.words(path).controls()
+    }
+
     /// What a text says of programs that take descriptions, unless it is one that an exporter wrote.
     fn words(&self, path: &Path) -> TextWords {
         let words = self.says.get(path).copied().unwrap_or_default();

@@ -42,6 +42,8 @@ pub struct Purpose {
     pub is_weighed: bool,
     /// Whether one of these texts computes with the triangles of its collision meshes.
     pub is_met: bool,
+    /// Whether one of these texts runs controllers.
+    pub is_controlled: bool,
     /// Whether nobody else is expected to use it: a program loads it, or launch files and programs around it plan, control or
     /// simulate. What is only shown may be simulated by others.
     pub is_applied: bool,
@@ -68,6 +70,7 @@ impl Purpose {
     fn add(&mut self, path: &Path, mentions: &TextMentions) {
         self.is_weighed |= mentions.weighs(path);
         self.is_met |= mentions.meets(path);
+        self.is_controlled |= mentions.controls(path);
         if !file_names::is_description(name_of(path)) {
             self.is_loaded = true;
             self.is_applied |= file_names::is_program(path) && !file_names::is_launch(path);
@@ -81,6 +84,7 @@ impl Purpose {
             is_loaded: self.is_loaded || other.is_loaded,
             is_weighed: self.is_weighed || other.is_weighed,
             is_met: self.is_met || other.is_met,
+            is_controlled: self.is_controlled || other.is_controlled,
             is_applied: self.is_applied || other.is_applied,
         }
     }

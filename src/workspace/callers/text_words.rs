@@ -29,9 +29,11 @@ const GAZEBO_TAG: u16 = 1 << 9;
 const GAZEBO_PART: u16 = 1 << 10;
 /// A program builds the configuration of MoveIt.
 const BUILDS_MOVEIT: u16 = 1 << 11;
+/// Something runs controllers, which read transmissions and hardware.
+const CONTROLS: u16 = 1 << 14;
 
 /// The words, also as parts of others, and what each of them says.
-const WORDS: [(&str, u16); 53] = [
+const WORDS: [(&str, u16); 56] = [
     ("gazebo", MASSES | TRIANGLES | SIMULATES),
     ("ros_gz", MASSES | TRIANGLES | SIMULATES | REFUSES),
     ("ros_gz_sim", SPAWNS),
@@ -78,7 +80,10 @@ const WORDS: [(&str, u16); 53] = [
     ("MoveItConfigs", BUILDS_MOVEIT),
     ("fcl", TRIANGLES),
     ("hpp-", TRIANGLES),
-    ("controller_manager", SIMULATES),
+    ("controller_manager", SIMULATES | CONTROLS),
+    ("hardware_interface", CONTROLS),
+    ("ros_control", CONTROLS),
+    ("transmission_interface", CONTROLS),
     ("spawner", STARTS),
     ("load_controller", STARTS),
     ("switch_controller", STARTS),
@@ -127,6 +132,11 @@ impl TextWords {
     /// Whether a text runs something that computes with the triangles of collision meshes.
     pub const fn meets(self) -> bool {
         self.has(TRIANGLES)
+    }
+
+    /// Whether a text runs controllers, or is hardware for them.
+    pub const fn controls(self) -> bool {
+        self.has(CONTROLS)
     }
 
     /// Whether a text runs something that simulates, plans or controls.
