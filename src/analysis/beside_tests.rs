@@ -475,3 +475,37 @@ fn joints_of_a_variant_that_is_not_the_default() {
     assert_eq!(of("lift"), 1);
     assert_eq!(of("tilt"), 1);
 }
+
+#[test]
+fn semantic_descriptions_that_are_for_another_robot_that_is_loaded() {
+    let robot = |name: &str, more: &str| {
+        format!(
+            "<robot name='{name}'><link name='palm'/><link name='thumb'/><joint name='t' type='fixed'>\
+             <parent link='palm'/><child link='thumb'/></joint>{more}</robot>"
+        )
+    };
+    let coupler = "<link name='coupler'/><joint name='c' type='fixed'><parent link='palm'/><child link='coupler'/></joint>";
+    let (bare, whole) = (robot("hand", ""), robot("coupled", coupler));
+    let of = |launch: &str, link: &str| {
+        let srdf = format!(
+            "<robot name='hand'><group name='g'><link name='palm'/><link name='thumb'/><joint name='t'/></group>\
+             <disable_collisions link1='thumb' link2='{link}' reason='Never'/></robot>"
+        );
+        let files = [
+            ("urdf/hand.urdf", bare.as_str()),
+            ("urdf/coupled.urdf", whole.as_str()),
+            ("config/hand.srdf", srdf.as_str()),
+            (
+                "launch/plan.launch",
+                "<param textfile='$(find arm)/urdf/hand.urdf'/><param textfile='$(find arm)/config/hand.srdf'/>",
+            ),
+            ("launch/upload.launch", launch),
+        ];
+        found(&files, "srdf-unknown-link").len()
+    };
+    let uploads = "<param textfile='$(find arm)/urdf/coupled.urdf'/>";
+    assert_eq!(of(uploads, "coupler"), 0);
+    assert_eq!(of(uploads, "cupler"), 1);
+    // nothing loads the other one
+    assert_eq!(of("", "coupler"), 1);
+}

@@ -60,21 +60,6 @@ impl Session {
                 && self.is_in_idle_default(file, finding)
         };
         self.lower_where(findings, is_unread, info);
-        let is_of_source = |finding: &Finding| {
-            finding.rule == named::MISSING_PACKAGE_DEPENDENCY
-                && self.is_made_from_another(&self.vfs.path(finding.span.file))
-        };
-        self.lower_where(findings, is_of_source, info);
-    }
-
-    /// Whether xacro made a file of another one that is there: its package needs what that one needs.
-    fn is_made_from_another(&self, file: &Path) -> bool {
-        let source = self.vfs.document(file).ok();
-        let name = source.and_then(|source| generated_from(&source));
-        name.is_some_and(|name| {
-            let all = self.callers.descriptions(file);
-            all.iter().any(|other| other.ends_with(&name))
-        })
     }
 
     /// What matters only to simulators and planners is an info where none of them gets the robot, and so is what is wrong in a robot

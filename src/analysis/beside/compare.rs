@@ -4,7 +4,6 @@ use std::sync::Arc;
 
 use ecow::EcoString;
 
-use super::super::includes::reach;
 use super::super::options::CheckOptions;
 use super::super::root_analysis::RootAnalysis;
 use super::super::root_config::RootConfig;
@@ -12,14 +11,14 @@ use super::super::session::Session;
 use super::files::{Beside, Robots, Sort, sort};
 use super::fitting::{Paired, has_choices, names_of};
 use super::paired::Pairing;
+use super::spelled::Prefixes;
 use base::limits::FILES_BESIDE;
 use base::{CancelFlag, FastMap, FastSet};
 use packages::RosVersion;
 use rules::{
-    BesideContent, Chosen, Finding, JointConnection, OfferedInterface, PairedRobot, RobotNames,
-    all, check_beside, has_ignored_tags, is_semantic_name, is_whole,
+    BesideContent, Chosen, Finding, PairedRobot, RobotNames, all, check_beside, has_ignored_tags,
+    is_whole,
 };
-use xml::Node;
 
 /// What a comparison of files with their robots gave.
 #[derive(Default)]
@@ -29,9 +28,6 @@ pub(in super::super) struct ComparisonResult {
     /// The files that were compared.
     pub files: Vec<PathBuf>,
 }
-
-/// Descriptions that a robot may include.
-const MOST_FILES: usize = 200;
 
 impl Session {
     /// The files beside robots that a check is about.
@@ -208,9 +204,12 @@ impl Session {
         let further = || {
             let mut names = self.further_names(&paired.robots, cancel);
             names.extend(&names_of(&paired.unused));
-            srdfs
-                .clone()
-                .for_each(|(srdf, _)| self.add_written(&srdf.root.file, None, &mut names));
+            srdfs.clone().for_each(|(srdf, _)| {
+                self.add_spelled(&srdf.root.file, Prefixes::Kept, &mut names)
+            });
+            if let Some((_, srdf)) = own.srdf() {
+                self.add_robots_with(srdf, own, &paired.robots, &mut names);
+            }
             names
         };
         let has_variants = srdfs.clone().any(|(srdf, _)| has_choices(&srdf.expansion));
@@ -269,7 +268,7 @@ impl Session {
     fn further_names(&self, paired: &[Arc<RootAnalysis>], cancel: &CancelFlag) -> RobotNames {
         let mut names = RobotNames::default();
         for analyzed in paired {
-            self.add_written(&analyzed.root.file, Some(analyzed), &mut names);
+            self.add_spelled(&analyzed.root.file, Prefixes::Of(analyzed), &mut names);
             match analyzed.further.get() {
                 Some(known) => names.extend(known),
                 None => {
@@ -295,123 +294,8 @@ impl Session {
             .iter()
             .flat_map(|pairing| &pairing.roots)
         {
-            self.add_written(&root.file, None, &mut names);
+            self.add_spelled(&root.file, Prefixes::Kept, &mut names);
         }
         names.links.contains(name)
     }
-
-    /// Whether a tag includes a file of a package that is absent.
-    fn is_absent(&self, include: Node<'_>, from: &Path) -> bool {
-        let name = include.attr("filename").map(|name| name.raw().to_owned());
-        let package = name.as_ref().and_then(|name| {
-            let (_, after) = name.split_once("$(find ")?;
-            Some(after.split_once(')')?.0.trim())
-        });
-        package.is_some_and(|package| {
-            !package.contains('$') && self.packages.find(package, from).is_err()
-        })
-    }
-
-    /// Add the names that the texts of a file and of those that it may include spell out, in branches and macros that take
-    /// no part too. Files that the robot does not read now may be those of another one: their names count without a prefix.
-    fn add_written(&self, root: &Path, robot: Option<&RootAnalysis>, names: &mut RobotNames) {
-        let mut files = vec![root.to_owned()];
-        let mut next = 0;
-        while let Some(source) = files.get(next).map(|file| self.vfs.document(file)) {
-            next += 1;
-            let Ok(source) = source else { continue };
-            let is_read = robot.is_none_or(|robot| robot.includes(&source.path));
-            let nodes = source
-                .document
-                .parts()
-                .flat_map(|(_, item)| item.all_nodes());
-            for node in nodes {
-                if ["xacro:if", "xacro:unless"].contains(&node.name()) {
-                    add_interfaces(node, names);
-                }
-                // what a robot that is whole includes is there: this is for other arguments
-                if node.name() == "xacro:include" {
-                    names.is_open |= self.is_absent(node, &source.path);
-                }
-                let list = match node.name() {
-                    "link" if !is_semantic_name(root) => &mut names.links,
-                    // not those of ros2_control or a transmission
-                    "joint" if node.child_elements().any(|inner| inner.name() == "child") => {
-                        &mut names.joints
-                    }
-                    "group" if node.child_elements().next().is_some() => &mut names.groups,
-                    _ => continue,
-                };
-                let unprefixed = || without_prefix(node, "name").filter(|_| !is_read);
-                let Some(name) = spelled(node, "name").or_else(unprefixed) else {
-                    continue;
-                };
-                list.insert(name);
-                if let Some(place) = place_of(node).filter(|_| node.name() == "joint") {
-                    names.places.insert(place);
-                }
-            }
-            let included = reach(&source, &self.packages)
-                .files(&self.vfs)
-                .flatten()
-                .collect::<Vec<_>>();
-            for file in included {
-                if files.len() < MOST_FILES && !files.contains(&file) {
-                    files.push(file);
-                }
-            }
-        }
-    }
-}
-
-/// The value of an attribute that the text spells out.
-fn spelled(node: Node<'_>, attribute: &str) -> Option<EcoString> {
-    let value = node.attr(attribute)?.raw();
-    (!value.contains('$')).then(|| value.into())
-}
-
-/// The value of an attribute behind a single property at its start: `joint7` of `${prefix}joint7`.
-fn without_prefix(node: Node<'_>, attribute: &str) -> Option<EcoString> {
-    let value = node.attr(attribute)?.raw();
-    let (property, rest) = value.strip_prefix("${")?.split_once('}')?;
-    let is_name = property.chars().all(|c| c.is_alphanumeric() || c == '_');
-    (is_name && !rest.is_empty() && !rest.contains('$')).then(|| rest.into())
-}
-
-/// The place of a joint, as far as the text spells it out.
-fn place_of(joint: Node<'_>) -> Option<JointConnection> {
-    let child = joint
-        .child_elements()
-        .find(|inner| inner.name() == "child")?;
-    Some(JointConnection {
-        joint: spelled(joint, "name")?,
-        child: spelled(child, "link")?,
-        kind: spelled(joint, "type")?,
-    })
-}
-
-/// Add the interfaces of hardware that a condition decides on.
-fn add_interfaces(condition: Node<'_>, names: &mut RobotNames) {
-    for inner in condition.child_elements() {
-        match inner.name() {
-            tag @ ("command_interface" | "state_interface") => {
-                let offered = inner.attr("name").map(|name| OfferedInterface {
-                    is_command: tag == "command_interface",
-                    joint: joint_around(inner),
-                    name: name.raw().into(),
-                });
-                names.interfaces.extend(offered);
-            }
-            // those are visited by themselves
-            "xacro:if" | "xacro:unless" => {}
-            _ => add_interfaces(inner, names),
-        }
-    }
-}
-
-/// The name of the joint that an interface is in, as the text spells it.
-fn joint_around(interface: Node<'_>) -> Option<EcoString> {
-    let outer = std::iter::successors(interface.parent(), |node| node.parent());
-    let joint = outer.into_iter().find(|node| node.name() == "joint")?;
-    Some(joint.attr("name")?.raw().into())
 }

@@ -8,6 +8,7 @@ mod fitting;
 mod otherwise;
 mod paired;
 mod pairing;
+mod spelled;
 
 pub(super) use compare::ComparisonResult;
 pub(super) use files::Robots;
