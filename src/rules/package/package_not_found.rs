@@ -40,6 +40,8 @@ pub(in super::super) fn is_news(world: RuleEnv<'_>, nearest: Option<&str>) -> bo
 struct MissingPackage {
     error: NotFound,
     places: Vec<Origin>,
+    /// Whether a folder around the file has what is named: programs that know no packages look there.
+    lies_around: bool,
 }
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
@@ -47,8 +49,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for attr in file_names(cx.expansion, cx.element) {
         look_up(cx, attr, &mut missing);
     }
-    for MissingPackage { error, places } in missing.into_values().flatten() {
-        report(cx, &error, &places, out);
+    for missing in missing.into_values().flatten() {
+        report(cx, &missing, out);
     }
 }
 
@@ -219,6 +221,7 @@ fn look_up(
             Some(MissingPackage {
                 error,
                 places: Vec::new(),
+                lies_around: lies_around(cx.world, &attr.value, &from),
             })
         });
     if let Some(missing) = slot {
@@ -226,12 +229,23 @@ fn look_up(
     }
 }
 
-fn report(cx: &DocumentCx<'_>, missing: &NotFound, places: &[Origin], out: &mut Sink<'_>) {
-    let Some((&first, others)) = places.split_first() else {
+/// Whether a folder around a file has what a `package://` URI names, taken as a path.
+fn lies_around(world: RuleEnv<'_>, uri: &str, from: &Path) -> bool {
+    let top = world.packages.sources_around(from);
+    let inside = |folder: &&Path| top.as_ref().is_some_and(|top| folder.starts_with(top));
+    let mut folders = from.ancestors().skip(1).take_while(inside);
+    uri.strip_prefix("package://")
+        .is_some_and(|path| folders.any(|folder| world.vfs.is_file(&folder.join(path))))
+}
+
+fn report(cx: &DocumentCx<'_>, missing: &MissingPackage, out: &mut Sink<'_>) {
+    let Some((&first, others)) = missing.places.split_first() else {
         return;
     };
+    let lies_around = missing.lies_around;
+    let missing = &missing.error;
     let news = is_news(cx.world, missing.nearest.as_deref());
-    let severity = if news {
+    let severity = if news && !lies_around {
         Severity::Warning
     } else {
         Severity::Info
