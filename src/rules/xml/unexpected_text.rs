@@ -67,16 +67,16 @@ fn report(cx: &DocumentCx<'_>, parent: XId, text: XId, out: &mut Sink<'_>) {
         .done();
 }
 
-/// Whether a text is words without the marks of a comment in a part of a robot, or one word or sign where no shape is expected: neither
-/// markup nor a value is lost with it.
+/// Whether a text is words without the marks of a comment in a part of a robot, or one word or sign between parts of a robot or link:
+/// neither markup nor a value is lost with it.
 fn is_prose(cx: &DocumentCx<'_>, parent: XId, shown: &str) -> bool {
     let around = cx.expansion.tree.get(parent).text.as_str();
+    let is_between_parts = ["robot", "link"].contains(&around);
     let is_of_markup = |c: char| matches!(c, '<' | '>' | '=' | '"' | '\'' | '{' | '}');
     let has_letters = |word: &&str| word.chars().filter(|c| c.is_alphabetic()).count() > 1;
     let words = shown.split_whitespace().filter(has_letters).count();
     let is_one = !shown.contains(char::is_whitespace);
-    !shown.contains(is_of_markup)
-        && (words > 1 && around != "robot" || is_one && around != "geometry")
+    !shown.contains(is_of_markup) && (words > 1 && around != "robot" || is_one && is_between_parts)
 }
 
 /// Whether a text is a bracket that was typed twice, as in `<link name="a"/>>`. An end of a comment without its start is more: what
