@@ -12,8 +12,8 @@ use xacro_lsp::workspace::Callers;
 
 use super::{folder, write};
 
-/// How many callers of a robot are found below `folder`.
-fn callers_of(folder: &Path, robot: &str) -> usize {
+/// The callers in a folder.
+pub fn callers_in(folder: &Path) -> Callers {
     let env = Environment {
         vars: BTreeMap::new(),
         cwd: folder.to_owned(),
@@ -24,12 +24,13 @@ fn callers_of(folder: &Path, robot: &str) -> usize {
         search_upward: false,
         ..PackageOptions::default()
     };
-    let packages = Packages::new(
-        Arc::new(Vfs::with_cwd(1 << 24, folder.to_owned())),
-        &env,
-        options,
-    );
-    Callers::default().of(&folder.join(robot), &packages).len()
+    let vfs = Arc::new(Vfs::with_cwd(1 << 24, folder.to_owned()));
+    Callers::new(Arc::new(Packages::new(vfs, &env, options)))
+}
+
+/// How many callers of a robot are found below `folder`.
+fn callers_of(folder: &Path, robot: &str) -> usize {
+    callers_in(folder).of(&folder.join(robot)).len()
 }
 
 #[test]
@@ -102,15 +103,5 @@ fn caller_calls() {
     for n in 0..=CALLER_CALLS / LAUNCH_CALLS {
         write(&folder, &format!("{n}.sh"), &text);
     }
-    let env = Environment {
-        vars: BTreeMap::new(),
-        cwd: folder.clone(),
-        ..Environment::default()
-    };
-    let vfs = Arc::new(Vfs::with_cwd(1 << 24, folder.clone()));
-    let packages = Packages::new(vfs, &env, PackageOptions::default());
-    assert_eq!(
-        Callers::default().calls_below(&folder, &packages).len(),
-        CALLER_CALLS
-    );
+    assert_eq!(callers_in(&folder).calls_below(&folder).len(), CALLER_CALLS);
 }

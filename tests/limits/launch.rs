@@ -1,14 +1,11 @@
 //! How much of a launch file is followed.
 
-use std::collections::BTreeMap;
 use std::path::Path;
-use std::sync::Arc;
 
 use xacro_lsp::base::limits::*;
-use xacro_lsp::packages::{PackageOptions, Packages};
-use xacro_lsp::vfs::{Environment, Vfs};
-use xacro_lsp::workspace::{Callers, launch};
+use xacro_lsp::workspace::launch;
 
+use super::callers::callers_in;
 use super::{folder, write};
 
 /// The calls of robots that a launch file makes, as text.
@@ -63,14 +60,7 @@ fn launch_includes() {
             ),
         );
     }
-    let env = Environment {
-        vars: BTreeMap::new(),
-        cwd: folder.clone(),
-        ..Environment::default()
-    };
-    let vfs = Arc::new(Vfs::with_cwd(1 << 24, folder.clone()));
-    let packages = Packages::new(vfs, &env, PackageOptions::default());
-    let calls = Callers::default().calls_below(&folder, &packages);
+    let calls = callers_in(&folder).calls_below(&folder);
     let most = calls.iter().map(|call| call.call.through.len()).max();
     assert!(most.is_some_and(|most| most <= LAUNCH_INCLUDES), "{most:?}");
 }
