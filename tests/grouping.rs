@@ -314,3 +314,27 @@ fn statistics_count_places_and_tell_severities_apart() {
         "{said}"
     );
 }
+
+#[test]
+fn missing_files_of_one_folder() {
+    let robot = |files: &[&str]| {
+        let includes: String = files
+            .iter()
+            .map(|file| format!("<xacro:include filename='{file}'/>\n"))
+            .collect();
+        let text = format!(
+            "<robot name='r' xmlns:xacro='http://www.ros.org/wiki/xacro'>\n{includes}<link name='base'/>\n</robot>\n"
+        );
+        let folder = Folder::of(&[("r.urdf.xacro", text)]);
+        let found = folder.json("check . --format json --select include-not-found");
+        found
+            .iter()
+            .map(|finding| finding["places"].as_u64().unwrap())
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(robot(&["a/one.xacro", "a/two.xacro"]), [1, 1]);
+    assert_eq!(
+        robot(&["a/one.xacro", "a/two.xacro", "a/three.xacro", "b/one.xacro"]),
+        [3, 1]
+    );
+}

@@ -232,6 +232,7 @@ pub(super) fn finding(expansion: &Expansion, problem: &Problem, vfs: &Vfs) -> Op
         help: problem.help.clone(),
         fix,
         problem: Some(problem.kind),
+        group: include_not_found::group(problem),
         outside: problem.outside.clone(),
         probed: problem.probed,
         ..Finding::new(rule, place, problem.message.clone())

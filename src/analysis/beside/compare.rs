@@ -282,9 +282,7 @@ impl Session {
         }
         names
     }
-}
 
-impl Session {
     /// Whether the link of an SRDF that a finding is about is spelled out in a robot that a launch file loads beside it.
     pub(in super::super) fn is_in_launched(&self, file: &Path, finding: &Finding) -> bool {
         let name = finding.message.split('`').nth(1).unwrap_or_default();

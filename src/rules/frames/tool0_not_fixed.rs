@@ -2,7 +2,7 @@
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use model::JointType;
+use model::{JointType, Link};
 
 pub(super) static RULE: Rule = Rule {
     code: "FRM006",
@@ -33,10 +33,21 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                 kind.origin,
                 format!("parent joint `{}` of `{child}` is {} instead of fixed", joint.shown(), kind.value),
             )
+            .severity(severity(cx, child))
             .help(format!(
                 "make another link the child of this joint, and attach `{child}` to it with a fixed joint"
             ))
             .done();
         }
+    }
+}
+
+/// How bad it is: a link with a shape is a body that only has the name of the frame.
+fn severity(cx: &DocumentCx<'_>, link: &str) -> Severity {
+    let is_body = |link: &&Link| !link.visuals.is_empty() || !link.collisions.is_empty();
+    if cx.links_named(link).iter().any(is_body) {
+        Severity::Info
+    } else {
+        RULE.severity
     }
 }

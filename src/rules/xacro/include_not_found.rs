@@ -2,10 +2,11 @@
 use std::path::Path;
 
 use super::super::finding::{Edit, Fix};
+use super::super::grouping::Group;
 use super::super::problem_cx::ProblemCx;
 use super::super::rule::{Category, Rule, Safety, Severity, page};
 use base::{Span, TextRange};
-use expand::Detail;
+use expand::{Detail, Problem};
 use packages::nearest;
 
 pub(in super::super) static RULE: Rule = Rule::found(
@@ -16,6 +17,15 @@ pub(in super::super) static RULE: Rule = Rule::found(
     page("include-not-found"),
 )
 .fixed(Safety::Unsafe);
+
+/// Many files that are missing in one folder were moved or renamed together.
+pub(in super::super) fn group(problem: &Problem) -> Option<Group> {
+    let Some(Detail::LookedFor(path)) = &problem.detail else {
+        return None;
+    };
+    let folder = Path::new(path).parent()?.to_string_lossy();
+    Some(Group::Name(folder.into()))
+}
 
 /// A file in the same folder may have almost its name.
 pub(in super::super) fn fix(cx: &ProblemCx<'_>) -> Option<Fix> {
