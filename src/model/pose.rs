@@ -21,7 +21,8 @@ pub struct Pose {
 }
 
 impl Pose {
-    pub(super) fn of(tree: &XTree, element: XId) -> Self {
+    /// What an element `origin` says.
+    pub fn of(tree: &XTree, element: XId) -> Self {
         let quaternion = AttrValue::attr(tree, element, "quat_xyzw")
             .filter(|_| Version::V1_1.is_in(tree))
             .map(Box::new);

@@ -3,7 +3,7 @@ use super::super::context::RobotCx;
 use super::super::numbers::short;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::mimics::mimicking;
+use super::mimics::targets;
 use model::JointType::{Prismatic, Revolute};
 use model::{AttrValue, Joint, tag_start};
 
@@ -20,21 +20,17 @@ pub(in super::super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
-    for (joint, _, target) in mimicking(cx.robot) {
-        let Some(mimic) = &joint.mimic else { continue };
-        let (Some(own), Some(theirs)) = (range(joint), range(target)) else {
+    let (joints, targets) = (&cx.robot.joints, targets(cx.robot));
+    for (number, joint) in joints.iter().enumerate() {
+        let target = targets.get(number).copied().flatten();
+        let target = target.and_then(|target| joints.get(target));
+        let (Some(mimic), Some(target)) = (&joint.mimic, target) else {
             continue;
         };
-        let number = |text: &Option<AttrValue>, default| {
-            text.as_ref().map_or(Some(default), AttrValue::number)
-        };
-        let (Some(factor), Some(offset)) =
-            (number(&mimic.multiplier, 1.0), number(&mimic.offset, 0.0))
+        let (Some(own), Some((low, high))) = (range(joint), followed(joints, &targets, number))
         else {
             continue;
         };
-        let (a, b) = (factor * theirs.0 + offset, factor * theirs.1 + offset);
-        let (low, high) = (a.min(b), a.max(b));
         let room = 1e-6 + 0.01 * (own.1 - own.0).abs();
         if low >= own.0 - room && high <= own.1 + room {
             continue;
@@ -56,6 +52,24 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
             .help("change the multiplier, the offset or the limits of one joint")
             .done();
     }
+}
+
+/// From where to where a joint follows another one, which may follow a third.
+fn followed(joints: &[Joint], targets: &[Option<usize>], joint: usize) -> Option<(f64, f64)> {
+    let value =
+        |text: &Option<AttrValue>, default| text.as_ref().map_or(Some(default), AttrValue::number);
+    let (mut factor, mut offset, mut last) = (1.0, 0.0, joint);
+    for _ in 0..=joints.len() {
+        let Some(mimic) = &joints.get(last)?.mimic else {
+            let (a, b) = range(joints.get(last)?)?;
+            let (a, b) = (factor * a + offset, factor * b + offset);
+            return Some((a.min(b), a.max(b)));
+        };
+        offset += factor * value(&mimic.offset, 0.0)?;
+        factor *= value(&mimic.multiplier, 1.0)?;
+        last = (*targets.get(last)?)?;
+    }
+    None
 }
 
 /// The limits of a joint that has some.

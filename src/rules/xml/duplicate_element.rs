@@ -5,7 +5,7 @@ use super::super::sink::Sink;
 use super::walk;
 use base::FastMap;
 use expand::{XId, XKind, XTree};
-use model::tag_start;
+use model::{Pose, tag_start};
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "XML012",
@@ -46,7 +46,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             }
             if let Some(&earlier) = first.get(name) {
                 let message = format!("{} has more than one `{name}`", walk::described(cx, id));
-                let equal = is_same(tree, earlier, child);
+                let equal = is_same(tree, earlier, child)
+                    || name == "origin" && is_same_pose(tree, earlier, child);
                 out.report(tag_start(cx.expansion, child), message)
                     .severity(if equal { Severity::Info } else { Severity::Warning })
                     .also(tag_start(cx.expansion, earlier), "first one here")
@@ -62,6 +63,12 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 /// Whether two elements say the same, comments and blanks left out.
 fn is_same(tree: &XTree, a: XId, b: XId) -> bool {
     words(tree, a).eq(words(tree, b))
+}
+
+/// Whether two origins stand for the same place.
+fn is_same_pose(tree: &XTree, a: XId, b: XId) -> bool {
+    let [a, b] = [a, b].map(|element| Pose::of(tree, element).transform());
+    a.is_some() && a == b
 }
 
 /// What an element says, piece by piece.
