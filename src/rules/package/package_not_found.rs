@@ -151,8 +151,8 @@ fn has_file_of(world: RuleEnv<'_>, attr: &XAttr, from: &Path) -> bool {
     })
 }
 
-/// Whether what is missing comes with the sources that a list of repositories brings, or lies in a folder around the file
-/// by its path: the folder is the package, and gets its manifest elsewhere.
+/// Whether what is missing comes with the sources that a list of repositories brings, or lies in a folder around the file by its path,
+/// with the name of the package or without: the folder is the package, and gets its manifest elsewhere.
 fn is_fetched(world: RuleEnv<'_>, expansion: &Expansion, from: &Path) -> bool {
     let top = world.packages.sources_around(from);
     let inside = |folder: &&Path| top.as_ref().is_some_and(|top| folder.starts_with(top));
@@ -164,15 +164,15 @@ fn is_fetched(world: RuleEnv<'_>, expansion: &Expansion, from: &Path) -> bool {
             .iter()
             .any(|entry| is_list(&entry.name))
     };
-    let lies_around = |attr: &XAttr| {
-        let is_there = |path: &str| {
-            folders
-                .iter()
-                .any(|folder| world.vfs.is_file(&folder.join(path)))
-        };
-        path_in_package(attr).is_some_and(is_there)
+    let is_there = |path: &str| {
+        folders
+            .iter()
+            .any(|folder| world.vfs.is_file(&folder.join(path)))
     };
-    folders.iter().any(has_list) || all_file_names(expansion).any(lies_around)
+    let has_file = |attr: &XAttr| {
+        path_in_package(attr).is_some_and(is_there) || lies_around(world, &attr.value, from)
+    };
+    folders.iter().any(has_list) || all_file_names(expansion).any(has_file)
 }
 
 /// Whether a file of this name lists the sources that a workspace fetches.

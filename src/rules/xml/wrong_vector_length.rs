@@ -42,14 +42,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             }
             None => format!("write {count} numbers separated by spaces"),
         };
-        // urdfdom goes on without the color
-        let severity = if name == "rgba" {
-            Severity::Warning
-        } else {
-            RULE.severity
-        };
-        let report = out.report(text.origin, message).severity(severity);
-        report.help(help).done();
+        out.report(text.origin, message).help(help).done();
     }
 }
 
