@@ -168,3 +168,40 @@ fn joints_that_hardware_registers() {
     );
     assert_eq!(severity(&[registers]), Some(Severity::Info));
 }
+
+#[test]
+fn folders_of_packages_with_a_page_and_a_license() {
+    let of = |marks: &[(&str, &str)]| {
+        let own = [
+            (
+                "src/rover/package.xml",
+                "<package><name>rover</name><maintainer email='me@todo.todo'/></package>",
+            ),
+            (
+                "src/rover/urdf/rover.urdf",
+                "<robot name='r'><link name='base'/></robot>",
+            ),
+            (
+                "src/tools/gripper/package.xml",
+                "<package><name>gripper</name><maintainer email='they@lab.org'/></package>",
+            ),
+            ("src/tools/gripper/urdf/gripper.urdf", BROKEN),
+        ];
+        let places = found(&[&own, marks].concat(), "missing-element");
+        places.first().map(|(_, severity)| *severity)
+    };
+    let page = ("src/tools/README.md", "Tools");
+    let license = ("src/tools/LICENSE", "BSD");
+    assert_eq!(of(&[page, license]), Some(Severity::Info));
+    assert_eq!(
+        of(&[page, ("src/tools/.gitignore", "")]),
+        Some(Severity::Info)
+    );
+    assert_eq!(of(&[page]), Some(Severity::Error));
+    // a package may have both of its own
+    let own = [
+        ("src/tools/gripper/README.md", "A gripper"),
+        ("src/tools/gripper/LICENSE", "BSD"),
+    ];
+    assert_eq!(of(&own), Some(Severity::Error));
+}

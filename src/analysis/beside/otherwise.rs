@@ -1,6 +1,4 @@
 //! The names of links and joints that a robot has with other arguments, and in another environment.
-use std::path::{Path, PathBuf};
-
 use ecow::EcoString;
 
 use super::super::proof::{CONDITIONS, turned_over};
@@ -48,11 +46,9 @@ impl Session {
         let chosen = chosen
             .flat_map(|(name, values)| values.into_iter().map(move |value| (name.clone(), value)));
         let chosen: Vec<(String, String)> = chosen.take(MOST_CHOICES).collect();
-        let beside = self.sibling_files(&analyzed.expansion.arguments);
         let single = switches
             .iter()
             .chain(&chosen)
-            .chain(&beside)
             .map(|switch| vec![switch.clone()]);
         let together = (switches.len() > 1).then(|| switches.clone());
         // one package may hold the settings of several robots, which its launch files make of one description
@@ -77,27 +73,6 @@ impl Session {
         }
         self.add_elsewhere(analyzed, cancel, &mut names);
         names
-    }
-
-    /// The values of arguments that are files, each with the other files of its folder that have the same ending: one for each of
-    /// several robots.
-    fn sibling_files(&self, arguments: &[(EcoString, EcoString)]) -> Vec<(String, String)> {
-        let others = |(name, value): &(EcoString, EcoString)| {
-            let file = Path::new(value.as_str());
-            let ending = file.extension()?.to_str()?;
-            let folder = file.parent().filter(|_| self.vfs.is_file(file))?;
-            let others = self.vfs.list_dir(folder);
-            let others = others.iter().map(|entry| folder.join(&entry.name));
-            let others = others.filter(|other| {
-                other != file
-                    && other.extension().is_some_and(|own| own == ending)
-                    && self.vfs.is_file(other)
-            });
-            let value = |other: PathBuf| (name.to_string(), vfs::slashed(&other));
-            Some(others.map(value).collect::<Vec<_>>())
-        };
-        let all = arguments.iter().filter_map(others).flatten();
-        all.take(MOST_CHOICES).collect()
     }
 
     /// The arguments with which launch files call a description, as far as they are known, and none: what a setup assistant was
