@@ -416,13 +416,21 @@ impl AnalysisHost {
             .cache
             .get(root)
             .filter(|known| known.epoch == self.epoch);
-        let before = before.map(|known| &known.expansion);
-        let expansion = run_task::expansion(&self.session, cancel, &task_of(root), before);
+        let expansion = run_task::expansion(
+            &self.session,
+            cancel,
+            &task_of(root),
+            before.map(|known| &known.expansion),
+        );
         if cancel.is_cancelled() {
             return None;
         }
         self.expansions += 1;
-        let made = Arc::new(RootAnalysis::new(root.clone(), expansion, self.epoch));
+        let made = RootAnalysis::new(root.clone(), expansion, self.epoch);
+        let made = Arc::new(match before {
+            Some(before) => made.after(before),
+            None => made,
+        });
         if self.cache.len() >= Self::MOST_CACHED {
             self.cache.clear();
         }

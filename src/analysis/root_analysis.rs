@@ -1,6 +1,6 @@
 //! A root expanded, with what was read off it: kept until something it rests on has changed.
 use std::path::Path;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use super::check_task::{CheckReason, CheckTask};
 use super::options::CheckOptions;
@@ -13,7 +13,7 @@ use base::CancelFlag;
 use base::limits::GLOB_ENTRIES;
 use expand::{Expansion, Read, Request, SymbolKind, Written, write_mapped};
 use model::{Kinematics, Robot};
-use rules::RobotNames;
+use rules::{RobotNames, Settled};
 use vfs::Vfs;
 
 /// A root expanded.
@@ -28,6 +28,8 @@ pub struct RootAnalysis {
     pub kinematics: Option<Kinematics>,
     /// What the rules say, once somebody has asked: most questions of an editor are about the robot alone.
     result: OnceLock<RootResult>,
+    /// What was settled when it was last checked, in the expansion before.
+    before: Arc<Settled>,
     written: OnceLock<Written>,
     /// The names that it has when it is expanded in other ways.
     pub(super) further: OnceLock<RobotNames>,
@@ -47,10 +49,18 @@ impl RootAnalysis {
             robot,
             kinematics,
             result,
+            before: Arc::default(),
             written,
             further,
             epoch,
         }
+    }
+
+    /// With what was settled in the expansion before, of which this one took steps over.
+    pub(super) fn after(mut self, before: &Self) -> Self {
+        let settled = before.result.get().map(|result| &result.settled);
+        self.before = Arc::clone(settled.unwrap_or(&before.before));
+        self
     }
 
     /// A root expanded once, for a check.
@@ -101,7 +111,8 @@ impl RootAnalysis {
                 cancel: cancel.clone(),
                 ..CheckOptions::default()
             };
-            let result = run_task::run_rules(session, &options, task, &self.expansion, robot);
+            let expanded = (&self.expansion, robot);
+            let result = run_rules(session, &options, task, expanded, &self.before);
             if cancel.is_cancelled() {
                 return None;
             }
@@ -155,7 +166,8 @@ pub(super) fn run_kept(
     let (expansion, is_as_called) = expanded(session, &task, &kept, None);
     let analyzed = RootAnalysis::new(task.root(), expansion, 0);
     let robot = analyzed.robot.as_ref();
-    let result = run_rules(session, options, task, &analyzed.expansion, robot);
+    let expanded = (&analyzed.expansion, robot);
+    let result = run_rules(session, options, task, expanded, &Settled::default());
     (
         RootResult {
             is_as_called,

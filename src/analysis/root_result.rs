@@ -8,8 +8,8 @@ use ecow::EcoString;
 use super::check_task::CheckTask;
 use super::cut::Cut;
 use base::{FastSet, FileId, Span};
-use rules::Finding;
 use rules::consumers::Tally;
+use rules::{Finding, Settled};
 use vfs::SourceFile;
 
 /// What a task gave.
@@ -41,6 +41,8 @@ pub(super) struct RootResult {
     pub(super) includes: Vec<(FileId, Span)>,
     /// The macros that were called: where each is defined.
     pub(super) called: FastSet<Span>,
+    /// What need not be checked again where the next expansion takes it over.
+    pub(super) settled: Arc<Settled>,
     /// What programs reject or change that nobody named, where somebody asked.
     pub(super) consumers: Tally,
 }

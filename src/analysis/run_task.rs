@@ -17,8 +17,9 @@ use expand::{Expansion, FileUse, Forced, FrameKind, Origin, Read, Request, Sourc
 use model::Robot;
 use rules::consumers::{self, Tally};
 use rules::{
-    Activation, Chosen, Finding, RootKind, Rule, Selector, Suppressions, all, check_expansion,
-    check_files, holds_for_semantic, include_tags, is_semantic, missing_packages, named,
+    Activation, Chosen, Finding, RootKind, Rule, Selector, Settled, Suppressions, all,
+    check_expansion, check_files, holds_for_semantic, include_tags, is_semantic, missing_packages,
+    named,
 };
 use vfs::{LoadError, LoadErrorKind};
 
@@ -27,7 +28,8 @@ pub(super) fn run(session: &Session, options: &CheckOptions, task: CheckTask) ->
     let request = request(session, &options.cancel, &task);
     let (expansion, is_as_called) = expanded(session, &task, &request, None);
     let robot = Robot::of(&expansion);
-    let result = run_rules(session, options, task, &expansion, robot.as_ref());
+    let none = Settled::default();
+    let result = run_rules(session, options, task, (&expansion, robot.as_ref()), &none);
     RootResult {
         is_as_called,
         ..result
@@ -114,13 +116,13 @@ pub(super) fn request(session: &Session, cancel: &CancelFlag, task: &CheckTask) 
     }
 }
 
-/// Check an expansion. When cancelled, findings are missing.
+/// Check an expansion and its robot; `before` is what was settled the last time. When cancelled, findings are missing.
 pub(super) fn run_rules(
     session: &Session,
     options: &CheckOptions,
     task: CheckTask,
-    expansion: &Expansion,
-    robot: Option<&Robot>,
+    (expansion, robot): (&Expansion, Option<&Robot>),
+    before: &Settled,
 ) -> RootResult {
     let settings = session.settings(&task.file);
     let around = session.rule_env(&settings.config);
@@ -135,7 +137,8 @@ pub(super) fn run_rules(
         cancel: &options.cancel,
         tally,
     };
-    let mut findings = check_expansion(expansion, robot, (kind, explicit), around, chosen);
+    let (mut findings, settled) =
+        check_expansion(expansion, robot, (kind, explicit), around, chosen, before);
     findings.append(&mut check_files(expansion, around, chosen));
     if let Some(error) = &expansion.root_error {
         findings.extend(unreadable(session.vfs.file_id(&task.file), error));
@@ -187,6 +190,7 @@ pub(super) fn run_rules(
         arguments: expansion.arguments.clone(),
         includes: include_tags(expansion, around),
         called: called(expansion),
+        settled: Arc::new(settled),
         consumers: wanted_of(found.into_inner().unwrap_or_default(), &settings, &task),
         task,
     }

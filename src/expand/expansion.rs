@@ -1,11 +1,12 @@
 //! The result of an expansion.
+use std::ops::Range;
 use std::sync::Arc;
 
 use ecow::EcoString;
 
 use super::binding_info::{BindingId, BindingInfo};
 use super::evaluations::Evaluations;
-use super::memo::Memo;
+use super::memo::{Memo, StepKey};
 use super::origin::{FileIdx, Frame, FrameId, FrameKind, Origin, SourceItem, SrcId};
 use super::problem::{FileRange, Problem, Severity};
 use super::record::Record;
@@ -111,6 +112,16 @@ impl Expansion {
     /// How many macro calls were taken over from the expansion before.
     pub fn taken_over(&self) -> usize {
         self.memo.as_ref().map_or(0, |memo| memo.taken_over)
+    }
+
+    /// The macro calls below the root element that the next expansion may take over, each with its first element and the
+    /// node behind its last one, in document order. One that was taken over gave the same elements with the same origins.
+    pub fn steps(&self) -> impl Iterator<Item = (StepKey, Range<XId>)> {
+        let steps = self.memo.iter().flat_map(|memo| &memo.steps);
+        steps.map(|kept| {
+            let (first, behind) = kept.content;
+            (StepKey(Arc::clone(&kept.step)), first..behind)
+        })
     }
 
     /// The absolute place of an origin.

@@ -68,6 +68,7 @@ pub use expander::{expand, expand_again};
 pub use expansion::{Expansion, FileUse, NameIndex, Probe};
 pub use kind::ProblemKind;
 pub use macro_table::MacroParam;
+pub use memo::StepKey;
 pub use origin::{FileIdx, Frame, FrameId, FrameKind, Origin, SourceItem, SrcId};
 pub use params::parse as parse_params;
 pub use problem::{Detail, FileRange, Outside, Problem, Severity, TraceStep};

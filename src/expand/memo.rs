@@ -3,6 +3,7 @@
 //! A call among the children of the root element is a step. While it is evaluated, everything is written down that it reads
 //! from around it: properties, macros, arguments, packages, source items. Steps that do more than to add to the document,
 //! or that read what may change in place, are not kept and are evaluated each time. `replay.rs` takes over the others.
+use std::hash::{Hash, Hasher};
 use std::ops::Range;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -29,6 +30,24 @@ pub(super) struct Memo {
     pub steps: Vec<StepResult>,
     /// How many of them were taken over from the expansion before.
     pub taken_over: usize,
+}
+
+/// What tells a step from others: an expansion that takes it over has the same one.
+#[derive(Clone, Debug)]
+pub struct StepKey(pub(super) Arc<StepMemo>);
+
+impl PartialEq for StepKey {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+}
+
+impl Eq for StepKey {}
+
+impl Hash for StepKey {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        Arc::as_ptr(&self.0).hash(state);
+    }
 }
 
 /// A step and its elements.

@@ -1,14 +1,15 @@
 //! What rules see.
-use std::cell::OnceCell;
+use std::cell::{Cell, OnceCell, RefCell};
+use std::ops::Range;
 use std::path::Path;
 
 use super::consumers::Met;
+use super::frames::Distances;
 use super::geometry::Resources;
 use super::package::{Manifests, PackageMention};
 use super::xacro::MentionedWords;
-use super::xml::{CheckedElement, Numeric};
 use base::{FastMap, FastSet};
-use expand::{Expansion, FileIdx, Problem, XId};
+use expand::{Expansion, FileIdx, Problem, StepKey, XId};
 use model::{AttrValue, Joint, Kinematics, Link, Meshes, Robot, Version};
 use packages::Packages;
 use vfs::{SourceFile, Vfs};
@@ -106,15 +107,26 @@ pub struct DocumentCx<'a> {
     pub(super) resources: OnceCell<Resources>,
     /// What the texts mention, once a rule has asked.
     pub(super) mentions: OnceCell<Option<Vec<MentionedWords>>>,
-    /// The elements seen through the schema, once a rule has asked.
-    pub(super) seen: OnceCell<Vec<CheckedElement>>,
-    /// The attributes that hold numbers, once a rule has asked.
-    pub(super) numeric: OnceCell<Vec<Numeric>>,
+    /// The shapes that stand in bodies without a geometry, of the bodies that a rule has asked about.
+    pub(super) bare_shapes: RefCell<FastMap<XId, Option<&'a str>>>,
     /// What consumers may reject or change, once a rule has asked.
     pub(super) constructs: OnceCell<Vec<Met>>,
     /// The macros that the files define, once a rule has asked.
     pub(super) macros: OnceCell<FastSet<&'a str>>,
-    /// The joints by their links, and the links by name, once a rule has asked.
+    all: AllElements<'a>,
+    looked_beyond: Cell<bool>,
+}
+
+/// What is known of all links and joints together, once a rule has asked.
+#[derive(Default)]
+pub(super) struct AllElements<'a> {
+    /// How far apart the joints are.
+    pub(super) distances: OnceCell<Distances>,
+    /// The lengths of the axes of joints that move.
+    pub(super) axis_lengths: OnceCell<Vec<f64>>,
+    /// Whether several links have the inertia of a motor added.
+    pub(super) has_rotors: OnceCell<bool>,
+    /// The joints by their links, and the links by name.
     by_name: OnceCell<ByName<'a>>,
 }
 
@@ -146,12 +158,42 @@ impl<'a> DocumentCx<'a> {
             complete,
             resources: OnceCell::new(),
             mentions: OnceCell::new(),
-            seen: OnceCell::new(),
-            numeric: OnceCell::new(),
+            bare_shapes: RefCell::default(),
             constructs: OnceCell::new(),
             macros: OnceCell::new(),
-            by_name: OnceCell::new(),
+            all: AllElements::default(),
+            looked_beyond: Cell::new(false),
         }
+    }
+
+    /// The steps of the expansion, each with its first element and the node behind its last one. Macros that nothing calls have
+    /// none.
+    pub(super) fn steps(&self) -> impl Iterator<Item = (StepKey, Range<XId>)> {
+        let is_document = self.expansion.tree.root() == Some(self.element);
+        let steps = is_document.then(|| self.expansion.steps());
+        steps.into_iter().flatten()
+    }
+
+    /// From now on, say whether a rule looks at anything but the element that it is asked about.
+    pub(super) fn start_watch(&self) {
+        self.looked_beyond.set(false);
+    }
+
+    /// Whether a rule did.
+    pub(super) fn looked_beyond(&self) -> bool {
+        self.looked_beyond.get()
+    }
+
+    /// Note that a rule looks at something else than the element that it is asked about. What is read off the tree around the
+    /// element, off its root tag, and off the configuration needs no note.
+    pub(super) fn look_beyond(&self) {
+        self.looked_beyond.set(true);
+    }
+
+    /// What is known of all links and joints together.
+    pub(super) fn all(&self) -> &AllElements<'a> {
+        self.look_beyond();
+        &self.all
     }
 
     /// The joints whose child is a link of this name, in document order.
@@ -170,7 +212,7 @@ impl<'a> DocumentCx<'a> {
     }
 
     fn by_name(&self) -> &ByName<'a> {
-        self.by_name.get_or_init(|| {
+        self.all().by_name.get_or_init(|| {
             let mut found = ByName::default();
             let Some(robot) = self.robot else {
                 return found;
@@ -200,11 +242,13 @@ impl<'a> DocumentCx<'a> {
 
     /// The links of the document.
     pub fn links(&self) -> &[Link] {
+        self.look_beyond();
         self.robot.map_or(&[], |robot| &robot.links)
     }
 
     /// Whether the document is a model that never moves, such as a hall, whose measures are not those of robots.
     pub fn is_static(&self) -> bool {
+        self.look_beyond();
         let tree = &self.expansion.tree;
         let blocks = self.robot.into_iter().flat_map(|robot| &robot.gazebo);
         let blocks = blocks
@@ -221,6 +265,7 @@ impl<'a> DocumentCx<'a> {
 
     /// The joints of the document.
     pub fn joints(&self) -> &[Joint] {
+        self.look_beyond();
         self.robot.map_or(&[], |robot| &robot.joints)
     }
 

@@ -3,8 +3,11 @@ use std::fmt;
 
 use super::beside::BesideCx;
 use super::context::{DocumentCx, FileCx, RobotCx};
+use super::frames::ElementPose;
 use super::sink::Sink;
+use super::xml::{CheckedElement, Numeric};
 pub use base::Severity;
+use model::{Joint, Link};
 
 /// A rule.
 #[derive(Debug)]
@@ -97,6 +100,20 @@ pub enum Check {
     Document(fn(&DocumentCx<'_>, &mut Sink<'_>)),
     /// The expanded document of a root of which everything is there: the rule says that something is missing or unused.
     WholeDocument(fn(&DocumentCx<'_>, &mut Sink<'_>)),
+    /// Each element of the expanded document that stands outside of the parts for other tools, its root first. Rules about single
+    /// elements, and those of the next kinds, look at nothing else without [`DocumentCx::look_beyond`], so that they need not be
+    /// asked again after an edit elsewhere.
+    Element(fn(&DocumentCx<'_>, &CheckedElement, &mut Sink<'_>)),
+    /// The same for a document of which everything is there: the rule says that something is missing.
+    WholeElement(fn(&DocumentCx<'_>, &CheckedElement, &mut Sink<'_>)),
+    /// Each attribute that holds numbers, of these elements, unless it is unknown.
+    Number(fn(&DocumentCx<'_>, &Numeric, &mut Sink<'_>)),
+    /// Each link.
+    Link(fn(&DocumentCx<'_>, &Link, &mut Sink<'_>)),
+    /// Each joint.
+    Joint(fn(&DocumentCx<'_>, &Joint, &mut Sink<'_>)),
+    /// Each origin of a joint, an inertia, a visual or a collision.
+    Pose(fn(&DocumentCx<'_>, &ElementPose<'_>, &mut Sink<'_>)),
     /// An expanded robot.
     Robot(fn(&RobotCx<'_>, &mut Sink<'_>)),
     /// An expanded robot of which everything is there: the rule says that something is missing. Nothing is missing from

@@ -11,7 +11,9 @@ use super::package::warn_once;
 use super::problems;
 use super::registry::all;
 use super::rule::{Check, Rule};
+use super::settled::Settled;
 use super::sink::{Sink, span};
+use super::visit::Visitors;
 use super::vocabulary::{is_urdf_element, is_xacro_uri, outside_free_zones};
 use super::xacro::is_unprefixed;
 use base::{CancelFlag, FastSet, FileId, Span, TextRange};
@@ -23,7 +25,7 @@ use xml::Node;
 
 /// Whether a rule does not run on a robot that errors left out a part of.
 pub fn needs_whole(rule: &Rule) -> bool {
-    matches!(rule.check, Check::WholeDocument(_)) || needs_names(rule)
+    matches!(rule.check, Check::WholeDocument(_) | Check::WholeElement(_)) || needs_names(rule)
 }
 
 /// Whether a rule asks which links and joints there are: of a robot with names that could not be computed, it says less or
@@ -66,22 +68,56 @@ pub struct Chosen<'a> {
 }
 
 /// What expansion of a file (what it is taken for, whether the user named it) reported, and what rules say about
-/// the expanded document.
+/// the expanded document; and what need not be checked again next time, when `before` is that of the last time.
 pub fn check_expansion(
     expansion: &Expansion,
     robot: Option<&Robot>,
     (kind, explicit): (RootKind, bool),
     world: RuleEnv<'_>,
     chosen: Chosen<'_>,
-) -> Vec<Finding> {
+    before: &Settled,
+) -> (Vec<Finding>, Settled) {
+    let checked = check_again(expansion, robot, (kind, explicit), world, chosen, before);
+    #[cfg(debug_assertions)]
+    if !before.is_empty() && !chosen.cancel.is_cancelled() {
+        let none = Settled::default();
+        let fresh = check_again(expansion, robot, (kind, explicit), world, chosen, &none);
+        verify(&checked.0, &fresh.0, chosen.cancel);
+    }
+    checked
+}
+
+/// In builds for tests: passing over what is settled leaves no finding out.
+#[cfg(debug_assertions)]
+fn verify(made: &[Finding], fresh: &[Finding], cancel: &CancelFlag) {
+    let shown = |findings: &[Finding]| -> Vec<String> {
+        findings.iter().map(|found| format!("{found:?}")).collect()
+    };
+    let (made, fresh) = (shown(made), shown(fresh));
+    assert!(
+        made == fresh || cancel.is_cancelled(),
+        "findings of an incremental check: {made:#?} instead of {fresh:#?}"
+    );
+}
+
+fn check_again(
+    expansion: &Expansion,
+    robot: Option<&Robot>,
+    (kind, explicit): (RootKind, bool),
+    world: RuleEnv<'_>,
+    chosen: Chosen<'_>,
+    before: &Settled,
+) -> (Vec<Finding>, Settled) {
     let unprefixed = Unprefixed::of(expansion);
     let explained = |problem: &Problem| unprefixed.explains(expansion, problem);
     let mut findings = problems::findings(expansion, explained, world);
+    let mut settled = Settled::default();
     let Some(first) = all().next() else {
-        return findings;
+        return (findings, settled);
     };
     let mut sink = Sink::new(expansion, first);
     let complete = is_whole(expansion);
+    let visitors = Visitors::of(chosen.rules, complete);
     let whole = expansion
         .tree
         .root()
@@ -117,6 +153,10 @@ pub fn check_expansion(
             Check::WholeDocument(check) if complete => check(&document, sink),
             _ => {}
         });
+        let now = visitors.run(&document, chosen, before, &mut sink);
+        if !is_probe {
+            settled = now;
+        }
         if let Some(place) = chosen.tally.filter(|_| kind == RootKind::Robot) {
             place.get_or_init(|| tally(&document));
         }
@@ -156,7 +196,7 @@ pub fn check_expansion(
     if kind == RootKind::Robot && !world.has_ros {
         warn_once(&mut findings, expansion, world);
     }
-    findings
+    (findings, settled)
 }
 
 /// What can be said of undefined names in files that are not well-formed, while somebody types in them: those

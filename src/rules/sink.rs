@@ -19,6 +19,8 @@ pub struct Sink<'a> {
     probed: bool,
     drafts: Vec<FindingBuilder>,
     by_place: FastMap<(&'static str, Span), usize>,
+    /// How often something was reported.
+    reported: usize,
     /// How many there are of each rule.
     counts: FastMap<&'static str, usize>,
 }
@@ -45,6 +47,7 @@ impl<'a> Sink<'a> {
             probed: false,
             drafts: Vec::new(),
             by_place: FastMap::default(),
+            reported: 0,
             counts: FastMap::default(),
         }
     }
@@ -57,6 +60,11 @@ impl<'a> Sink<'a> {
     /// From now on, findings are of this rule.
     pub(super) fn set_rule(&mut self, rule: &'static Rule) {
         self.rule = rule;
+    }
+
+    /// How often something was reported so far.
+    pub(super) fn reported(&self) -> usize {
+        self.reported
     }
 
     /// The findings, with their calls behind the other related places.
@@ -145,6 +153,7 @@ impl<'a> Sink<'a> {
     }
 
     fn push(&mut self, mut draft: FindingBuilder) {
+        self.reported += 1;
         let call_sites: Vec<CallSite> = draft
             .instances
             .iter()

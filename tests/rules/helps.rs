@@ -5,7 +5,7 @@ use std::path::Path;
 use xacro_lsp::base::{CancelFlag, Span};
 use xacro_lsp::expand::{Expansion, Request, Sources, expand};
 use xacro_lsp::model::Robot;
-use xacro_lsp::rules::{self, Chosen, Finding, Fix, RootKind, Rule, check_expansion};
+use xacro_lsp::rules::{self, Chosen, Finding, Fix, RootKind, Rule, Settled, check_expansion};
 
 use super::{Session, blocks, session, write};
 
@@ -35,7 +35,8 @@ fn findings(session: &Session, file: &Path, rule: &'static Rule, made: &Expansio
         tally: None,
     };
     let env = session.rule_env(&settings.config);
-    check_expansion(made, robot.as_ref(), (RootKind::Robot, true), env, chosen)
+    let (kind, none) = ((RootKind::Robot, true), Settled::default());
+    check_expansion(made, robot.as_ref(), kind, env, chosen, &none).0
 }
 
 fn offers(found: &[Finding]) -> Vec<Offer> {

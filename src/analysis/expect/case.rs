@@ -13,7 +13,7 @@ use base::{Span, TextRange};
 use expand::{Expansion, Request, expand};
 use model::{Kinematics, Robot};
 use rules::{
-    Category, Chosen, Finding, Related, RootKind, Rule, Severity, all, check_expansion,
+    Category, Chosen, Finding, Related, RootKind, Rule, Settled, Severity, all, check_expansion,
     include_tags, rejections,
 };
 use vfs::SourceFile;
@@ -160,7 +160,8 @@ impl Case {
                 tally: None,
             };
             let around = session.rule_env(&self.settings.config);
-            findings = check_expansion(expansion, robot, (RootKind::Robot, true), around, chosen);
+            let (kind, none) = ((RootKind::Robot, true), Settled::default());
+            (findings, _) = check_expansion(expansion, robot, kind, around, chosen, &none);
             findings.retain(|finding| finding.severity == Severity::Error);
         }
         findings

@@ -5,7 +5,7 @@ use super::super::context::DocumentCx;
 use super::super::edits::{source_text, speaks_xacro};
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::{Reported, Sink};
-use super::poses::{ANGLES, poses};
+use super::poses::{ANGLES, ElementPose};
 use expand::Origin;
 use model::decimal;
 
@@ -18,7 +18,7 @@ pub(super) static RULE: Rule = Rule {
     since: "0.1",
     fix: Some(Safety::Unsafe),
     docs: page("approximate-pi"),
-    check: Check::Document(check),
+    check: Check::Pose(check),
 };
 
 /// How xacro writes multiples of a quarter of pi, from 1 on.
@@ -26,29 +26,27 @@ const MULTIPLES: [&str; 8] = [
     "pi/4", "pi/2", "3*pi/4", "pi", "5*pi/4", "3*pi/2", "7*pi/4", "2*pi",
 ];
 
-fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for placed in poses(cx) {
-        let Some(text) = &placed.pose.rpy else {
-            continue;
-        };
-        let Some(angles) = placed.pose.angles() else {
-            continue;
-        };
-        for ((angle, name), range) in angles.into_iter().zip(ANGLES).zip(text.words()) {
-            let Some(meant) = meant(angle) else { continue };
-            let at = text.part(range.clone());
-            let shown = text.value.get(range).unwrap_or_default();
-            let message = format!(
-                "{name} {shown} of {} is a rounded value of {}",
-                placed.owner(),
-                meant.0
-            );
-            let help = format!(
-                "write the exact expression; the value is off by {:.4} rad",
-                (angle - meant.1).abs()
-            );
-            exact(out.report(at, message).help(help), cx, at, meant).done();
-        }
+fn check(cx: &DocumentCx<'_>, placed: &ElementPose<'_>, out: &mut Sink<'_>) {
+    let Some(text) = &placed.pose.rpy else {
+        return;
+    };
+    let Some(angles) = placed.pose.angles() else {
+        return;
+    };
+    for ((angle, name), range) in angles.into_iter().zip(ANGLES).zip(text.words()) {
+        let Some(meant) = meant(angle) else { continue };
+        let at = text.part(range.clone());
+        let shown = text.value.get(range).unwrap_or_default();
+        let message = format!(
+            "{name} {shown} of {} is a rounded value of {}",
+            placed.owner(),
+            meant.0
+        );
+        let help = format!(
+            "write the exact expression; the value is off by {:.4} rad",
+            (angle - meant.1).abs()
+        );
+        exact(out.report(at, message).help(help), cx, at, meant).done();
     }
 }
 

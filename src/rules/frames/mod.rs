@@ -23,6 +23,9 @@ mod tool_frame_name;
 mod two_rotations;
 
 use super::rule::Rule;
+pub(super) use origin_units_mm::Distances;
+pub use poses::ElementPose;
+pub(super) use poses::{pose_of_joint, poses_of_link};
 
 /// All rules of this category, by code.
 pub(super) static RULES: &[&Rule] = &[

@@ -1,12 +1,11 @@
 //! All origins of a document.
-use super::super::context::DocumentCx;
-use model::{Body, Pose};
+use model::{Joint, Link, Pose};
 
 /// The names of the three angles.
 pub(super) const ANGLES: [&str; 3] = ["roll", "pitch", "yaw"];
 
 /// An origin and what it places.
-pub(super) struct ElementPose<'a> {
+pub struct ElementPose<'a> {
     /// The origin.
     pub(super) pose: &'a Pose,
     kind: &'static str,
@@ -25,40 +24,30 @@ impl ElementPose<'_> {
     }
 }
 
-/// The origins of joints, visuals, collisions and inertias.
-pub(super) fn poses<'a>(cx: &DocumentCx<'a>) -> Vec<ElementPose<'a>> {
-    let Some(robot) = cx.robot else {
-        return Vec::new();
-    };
-    let mut found = Vec::new();
-    for joint in &robot.joints {
-        let placed = |pose| ElementPose {
-            pose,
-            kind: "joint",
-            name: joint.shown(),
-        };
-        found.extend(joint.origin.as_ref().map(placed));
-    }
-    for link in &robot.links {
-        let inertial = link
-            .inertial
-            .as_ref()
-            .and_then(|inertial| inertial.origin.as_ref());
-        found.extend(inertial.map(|pose| ElementPose {
-            pose,
-            kind: "inertial",
+/// The origin of a joint.
+pub(in super::super) fn pose_of_joint(joint: &Joint) -> Option<ElementPose<'_>> {
+    Some(ElementPose {
+        pose: joint.origin.as_ref()?,
+        kind: "joint",
+        name: joint.shown(),
+    })
+}
+
+/// The origins of the inertia, the visuals and the collisions of a link.
+pub(in super::super) fn poses_of_link(link: &Link) -> impl Iterator<Item = ElementPose<'_>> {
+    let inertial = link
+        .inertial
+        .iter()
+        .map(|inertial| ("inertial", &inertial.origin));
+    let visuals = link.visuals.iter().map(|body| ("visual", &body.origin));
+    let collisions = link.collisions.iter();
+    let collisions = collisions.map(|body| ("collision", &body.origin));
+    let all = inertial.chain(visuals).chain(collisions);
+    all.filter_map(|(kind, pose)| {
+        Some(ElementPose {
+            pose: pose.as_ref()?,
+            kind,
             name: link.shown(),
-        }));
-        let mut bodies = |kind, bodies: &'a [Body]| {
-            let poses = bodies.iter().filter_map(|body| body.origin.as_ref());
-            found.extend(poses.map(|pose| ElementPose {
-                pose,
-                kind,
-                name: link.shown(),
-            }));
-        };
-        bodies("visual", &link.visuals);
-        bodies("collision", &link.collisions);
-    }
-    found
+        })
+    })
 }

@@ -3,6 +3,7 @@ use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::names::prefix_of;
+use model::Link;
 
 pub(super) static RULE: Rule = Rule {
     code: "FRM005",
@@ -13,30 +14,28 @@ pub(super) static RULE: Rule = Rule {
     since: "0.1",
     fix: None,
     docs: page("reserved-frame-name"),
-    check: Check::Document(check),
+    check: Check::Link(check),
 };
 
 /// The frames of REP-105 that no robot has among its links.
 const RESERVED: [&str; 3] = ["map", "odom", "earth"];
 
-fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for link in cx.links() {
-        let Some((text, name)) = link
-            .name
-            .as_ref()
-            .and_then(|text| Some((text, text.name()?)))
-        else {
-            continue;
-        };
-        if let Some(word) = RESERVED.iter().find(|word| prefix_of(name, word).is_some()) {
-            out.report(
-                text.origin,
-                format!("link `{name}` has the name of a frame that localization publishes"),
-            )
-            .help(format!(
-                "remove or rename the link (`world` is allowed); `{word}` is not part of the robot"
-            ))
-            .done();
-        }
+fn check(_: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
+    let Some((text, name)) = link
+        .name
+        .as_ref()
+        .and_then(|text| Some((text, text.name()?)))
+    else {
+        return;
+    };
+    if let Some(word) = RESERVED.iter().find(|word| prefix_of(name, word).is_some()) {
+        out.report(
+            text.origin,
+            format!("link `{name}` has the name of a frame that localization publishes"),
+        )
+        .help(format!(
+            "remove or rename the link (`world` is allowed); `{word}` is not part of the robot"
+        ))
+        .done();
     }
 }

@@ -5,7 +5,7 @@ use super::super::context::DocumentCx;
 use super::super::numbers::{from_degrees, is_made_with, is_part_of_pi};
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use super::poses::{ANGLES, poses};
+use super::poses::{ANGLES, ElementPose};
 use model::AttrValue;
 
 pub(super) static RULE: Rule = Rule {
@@ -17,7 +17,7 @@ pub(super) static RULE: Rule = Rule {
     since: "0.1",
     fix: Some(Safety::Unsafe),
     docs: page("rpy-degrees"),
-    check: Check::Document(check),
+    check: Check::Pose(check),
 };
 
 /// A full turn and some.
@@ -56,25 +56,23 @@ fn is_in_radians(cx: &DocumentCx<'_>, text: &AttrValue, range: Range<usize>, ang
                 || is_made_with(cx.expansion, text, range, &IN_RADIANS))
 }
 
-fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for placed in poses(cx) {
-        let Some(text) = &placed.pose.rpy else {
-            continue;
-        };
-        let Some(angles) = placed.pose.angles() else {
-            continue;
-        };
-        for ((angle, name), range) in angles.into_iter().zip(ANGLES).zip(text.words()) {
-            if angle.abs() > MOST && !is_in_radians(cx, text, range.clone(), angle)
-                || ROUND.contains(&angle.abs())
-            {
-                let shown = text.value.get(range.clone()).unwrap_or_default();
-                let message = format!("{name} {shown} of {} looks like degrees", placed.owner());
-                let report = out
-                    .report(text.part(range.clone()), message)
-                    .help("write the angle in radians");
-                from_degrees(report, cx.expansion, text, range).done();
-            }
+fn check(cx: &DocumentCx<'_>, placed: &ElementPose<'_>, out: &mut Sink<'_>) {
+    let Some(text) = &placed.pose.rpy else {
+        return;
+    };
+    let Some(angles) = placed.pose.angles() else {
+        return;
+    };
+    for ((angle, name), range) in angles.into_iter().zip(ANGLES).zip(text.words()) {
+        if angle.abs() > MOST && !is_in_radians(cx, text, range.clone(), angle)
+            || ROUND.contains(&angle.abs())
+        {
+            let shown = text.value.get(range.clone()).unwrap_or_default();
+            let message = format!("{name} {shown} of {} looks like degrees", placed.owner());
+            let report = out
+                .report(text.part(range.clone()), message)
+                .help("write the angle in radians");
+            from_degrees(report, cx.expansion, text, range).done();
         }
     }
 }

@@ -3,7 +3,8 @@ use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::joined::is_joined;
-use super::moments::{InertiaClass, NEGLIGIBLE_MASS, inertia_tag, inertials, verdict};
+use super::moments::{InertiaClass, NEGLIGIBLE_MASS, inertia_tag, verdict};
+use model::Link;
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "INR004",
@@ -14,31 +15,32 @@ pub(in super::super) static RULE: Rule = Rule {
     since: "0.1",
     fix: None,
     docs: page("inertia-not-positive-definite"),
-    check: Check::Document(check),
+    check: Check::Link(check),
 };
 
-fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for (link, inertial) in inertials(cx) {
-        if inertial.mass().is_some_and(|mass| mass <= NEGLIGIBLE_MASS) {
-            continue;
-        }
-        let (severity, message) = match inertial.entries().map(verdict) {
-            Some(InertiaClass::Negative) => (Severity::Error, "has a negative principal moment"),
-            Some(InertiaClass::Singular) => {
-                // simulators add the inertia of a link that is fixed to that of its parent
-                let severity = if is_joined(cx, link) {
-                    Severity::Info
-                } else {
-                    Severity::Warning
-                };
-                (severity, "has a principal moment of zero")
-            }
-            _ => continue,
-        };
-        let message = format!("inertia of link `{}` {message}", link.shown());
-        out.report(inertia_tag(cx.expansion, inertial), message)
-            .severity(severity)
-            .help("check the signs of ixy, ixz and iyz and the frame of the inertia")
-            .done();
+fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
+    let Some(inertial) = &link.inertial else {
+        return;
+    };
+    if inertial.mass().is_some_and(|mass| mass <= NEGLIGIBLE_MASS) {
+        return;
     }
+    let (severity, message) = match inertial.entries().map(verdict) {
+        Some(InertiaClass::Negative) => (Severity::Error, "has a negative principal moment"),
+        Some(InertiaClass::Singular) => {
+            // simulators add the inertia of a link that is fixed to that of its parent
+            let severity = if is_joined(cx, link) {
+                Severity::Info
+            } else {
+                Severity::Warning
+            };
+            (severity, "has a principal moment of zero")
+        }
+        _ => return,
+    };
+    let message = format!("inertia of link `{}` {message}", link.shown());
+    out.report(inertia_tag(cx.expansion, inertial), message)
+        .severity(severity)
+        .help("check the signs of ixy, ixz and iyz and the frame of the inertia")
+        .done();
 }

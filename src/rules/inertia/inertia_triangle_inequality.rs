@@ -6,7 +6,7 @@ use super::super::grouping::Group;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::joined::{is_built_into_world, is_in_world, is_small_part};
-use super::moments::{InertiaClass, inertia_tag, inertials, short, verdict};
+use super::moments::{InertiaClass, inertia_tag, short, verdict};
 use model::{Inertial, JointType, Link, transform};
 
 pub(in super::super) static RULE: Rule = Rule {
@@ -18,7 +18,7 @@ pub(in super::super) static RULE: Rule = Rule {
     since: "0.1",
     fix: None,
     docs: page("inertia-triangle-inequality"),
-    check: Check::Document(check),
+    check: Check::Link(check),
 };
 
 /// From this many links on, a moment that is too large about the own joint is that of the motor, added on purpose.
@@ -32,38 +32,48 @@ const COARSE: f64 = 2e-2;
 /// What the last digit of exporters that write six decimals stands for, kg m^2.
 const LAST_DIGIT: f64 = 1e-6;
 
-fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    let has_rotor = |(link, inertial): &(&Link, &Inertial)| {
-        impossible(inertial).is_some_and(|[.., most]| is_about_joint(cx, link, inertial, most))
+fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
+    let Some((inertial, [a, b, c])) = impossible_of(link) else {
+        return;
     };
-    let rotors = inertials(cx).filter(has_rotor).take(ROTORS).count();
-    for (link, inertial) in inertials(cx) {
-        let Some([a, b, c]) = impossible(inertial) else {
-            continue;
-        };
-        let is_rotor = rotors == ROTORS && has_rotor(&(link, inertial));
-        // what never moves here may be a part that moves elsewhere
-        let is_idle = is_rotor || is_built_into_world(cx, link);
-        let severity = if is_idle || !is_error(cx, link, inertial) {
-            Severity::Info
-        } else if is_in_world(cx, link) {
-            Severity::Warning
-        } else {
-            Severity::Error
-        };
-        let message = format!(
-            "inertia of link `{}` is impossible: moment {} exceeds the sum of {} and {}",
-            link.shown(),
-            short(c),
-            short(a),
-            short(b)
-        );
-        out.report(inertia_tag(cx.expansion, inertial), message)
-            .group(Group::Value(format!("{:?}", inertial.entries()).into()))
-            .severity(severity)
-            .help("compute the inertia from mass and shape")
-            .done();
-    }
+    let has_rotors = || {
+        let rotors = cx.links().iter().filter(|link| has_rotor(cx, link));
+        rotors.take(ROTORS).count() == ROTORS
+    };
+    let is_rotor = has_rotor(cx, link) && *cx.all().has_rotors.get_or_init(has_rotors);
+    // what never moves here may be a part that moves elsewhere
+    let is_idle = is_rotor || is_built_into_world(cx, link);
+    let severity = if is_idle || !is_error(cx, link, inertial) {
+        Severity::Info
+    } else if is_in_world(cx, link) {
+        Severity::Warning
+    } else {
+        Severity::Error
+    };
+    let message = format!(
+        "inertia of link `{}` is impossible: moment {} exceeds the sum of {} and {}",
+        link.shown(),
+        short(c),
+        short(a),
+        short(b)
+    );
+    out.report(inertia_tag(cx.expansion, inertial), message)
+        .group(Group::Value(format!("{:?}", inertial.entries()).into()))
+        .severity(severity)
+        .help("compute the inertia from mass and shape")
+        .done();
+}
+
+/// The inertial of a link with its moments, if no body has them.
+fn impossible_of(link: &Link) -> Option<(&Inertial, [f64; 3])> {
+    let inertial = link.inertial.as_ref()?;
+    Some((inertial, impossible(inertial)?))
+}
+
+/// Whether the largest moment of a link is that of a motor about its own joint.
+fn has_rotor(cx: &DocumentCx<'_>, link: &Link) -> bool {
+    impossible_of(link)
+        .is_some_and(|(inertial, [.., most])| is_about_joint(cx, link, inertial, most))
 }
 
 /// The moments, if no body has them.

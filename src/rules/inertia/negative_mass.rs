@@ -2,7 +2,7 @@
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::moments::inertials;
+use model::Link;
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "INR001",
@@ -13,21 +13,22 @@ pub(in super::super) static RULE: Rule = Rule {
     since: "0.1",
     fix: None,
     docs: page("negative-mass"),
-    check: Check::Document(check),
+    check: Check::Link(check),
 };
 
-fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for (link, inertial) in inertials(cx) {
-        let Some(text) = inertial
-            .mass
-            .as_ref()
-            .filter(|text| text.number().is_some_and(|mass| mass < 0.0))
-        else {
-            continue;
-        };
-        let message = format!("link `{}` has a negative mass", link.shown());
-        out.report(text.origin, message)
-            .help("write a mass greater than 0, in kilograms")
-            .done();
-    }
+fn check(_: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
+    let Some(inertial) = &link.inertial else {
+        return;
+    };
+    let Some(text) = inertial
+        .mass
+        .as_ref()
+        .filter(|text| text.number().is_some_and(|mass| mass < 0.0))
+    else {
+        return;
+    };
+    let message = format!("link `{}` has a negative mass", link.shown());
+    out.report(text.origin, message)
+        .help("write a mass greater than 0, in kilograms")
+        .done();
 }

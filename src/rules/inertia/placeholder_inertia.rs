@@ -3,7 +3,7 @@ use super::super::context::DocumentCx;
 use super::super::geometry::extent;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::moments::{inertia_tag, inertials};
+use super::moments::inertia_tag;
 use model::{Inertial, Link};
 
 pub(super) static RULE: Rule = Rule {
@@ -15,20 +15,21 @@ pub(super) static RULE: Rule = Rule {
     since: "0.1",
     fix: None,
     docs: page("placeholder-inertia"),
-    check: Check::Document(check),
+    check: Check::Link(check),
 };
 
-fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for (link, inertial) in inertials(cx) {
-        if is_placeholder(cx, link, inertial) {
-            let message = format!(
-                "inertia of link `{}` looks like a placeholder value",
-                link.shown()
-            );
-            out.report(inertia_tag(cx.expansion, inertial), message)
-                .help("compute the inertia from mass and shape")
-                .done();
-        }
+fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
+    let Some(inertial) = &link.inertial else {
+        return;
+    };
+    if is_placeholder(cx, link, inertial) {
+        let message = format!(
+            "inertia of link `{}` looks like a placeholder value",
+            link.shown()
+        );
+        out.report(inertia_tag(cx.expansion, inertial), message)
+            .help("compute the inertia from mass and shape")
+            .done();
     }
 }
 

@@ -3,7 +3,8 @@ use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::joined::{LIGHT, is_in_world, is_joined};
-use super::moments::{InertiaClass, inertia_tag, inertials, verdict};
+use super::moments::{InertiaClass, inertia_tag, verdict};
+use model::Link;
 
 pub(super) static RULE: Rule = Rule {
     code: "INR003",
@@ -14,32 +15,30 @@ pub(super) static RULE: Rule = Rule {
     since: "0.1",
     fix: None,
     docs: page("zero-inertia"),
-    check: Check::Document(check),
+    check: Check::Link(check),
 };
 
 /// Up to this mass in kg, a link has one only because its exporter writes one.
 const NOTHING: f64 = 1e-5;
 
-fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for (link, inertial) in inertials(cx) {
-        let heavy = inertial.mass().is_some_and(|mass| mass > NOTHING);
-        if heavy && inertial.entries().map(verdict) == Some(InertiaClass::Zero) {
-            let message = format!("link `{}` has a mass but zero inertia", link.shown());
-            // what is joined to a heavier body, or never turns, needs no inertia of its own
-            let is_frame =
-                !link.has_geometry() && inertial.mass().is_some_and(|mass| mass <= LIGHT);
-            let without_effect = is_frame || is_joined(cx, link) || is_in_world(cx, link);
-            let severity = if without_effect {
-                Severity::Info
-            } else {
-                Severity::Warning
-            };
-            out.report(inertia_tag(cx.expansion, inertial), message)
-                .severity(severity)
-                .help(
-                    "compute the inertia from mass and shape; simulators become unstable otherwise",
-                )
-                .done();
-        }
+fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
+    let Some(inertial) = &link.inertial else {
+        return;
+    };
+    let heavy = inertial.mass().is_some_and(|mass| mass > NOTHING);
+    if heavy && inertial.entries().map(verdict) == Some(InertiaClass::Zero) {
+        let message = format!("link `{}` has a mass but zero inertia", link.shown());
+        // what is joined to a heavier body, or never turns, needs no inertia of its own
+        let is_frame = !link.has_geometry() && inertial.mass().is_some_and(|mass| mass <= LIGHT);
+        let without_effect = is_frame || is_joined(cx, link) || is_in_world(cx, link);
+        let severity = if without_effect {
+            Severity::Info
+        } else {
+            Severity::Warning
+        };
+        out.report(inertia_tag(cx.expansion, inertial), message)
+            .severity(severity)
+            .help("compute the inertia from mass and shape; simulators become unstable otherwise")
+            .done();
     }
 }

@@ -3,8 +3,8 @@ use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::joined::is_joined;
-use super::moments::{InertiaClass, inertials, verdict};
-use model::{Robot, element_range};
+use super::moments::{InertiaClass, verdict};
+use model::{Link, Robot, element_range};
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "INR002",
@@ -15,47 +15,47 @@ pub(in super::super) static RULE: Rule = Rule {
     since: "0.1",
     fix: Some(Safety::Unsafe),
     docs: page("zero-mass"),
-    check: Check::Document(check),
+    check: Check::Link(check),
 };
 
-fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for (link, inertial) in inertials(cx) {
-        let Some(text) = inertial
-            .mass
-            .as_ref()
-            .filter(|text| text.number() == Some(0.0))
-        else {
-            continue;
-        };
-        // a frame that says that it weighs nothing is harmless, as is an object that simulators take for static
-        let no_inertia = inertial
-            .entries()
-            .map(verdict)
-            .is_none_or(|verdict| verdict == InertiaClass::Zero);
-        let is_frame = !link.has_geometry() && no_inertia;
-        let is_object = no_inertia && cx.robot.is_some_and(Robot::is_rigid);
-        let harmless = is_frame || is_object || is_joined(cx, link);
-        let severity = if harmless {
-            Severity::Info
-        } else {
-            Severity::Warning
-        };
-        let message = format!("link `{}` has zero mass", link.shown());
-        let report = out
-            .report(text.origin, message)
-            .severity(severity)
-            .help("write a mass greater than 0, or remove <inertial>; simulators ignore a link without mass");
-        match cx
-            .expansion
-            .place(element_range(cx.expansion, inertial.element))
-        {
-            Some(place) => {
-                let edit = [(place.range, String::new())];
-                report
-                    .fix(Safety::Unsafe, "remove `inertial`", place.file, edit)
-                    .done();
-            }
-            None => report.done(),
+fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
+    let Some(inertial) = &link.inertial else {
+        return;
+    };
+    let Some(text) = inertial
+        .mass
+        .as_ref()
+        .filter(|text| text.number() == Some(0.0))
+    else {
+        return;
+    };
+    // a frame that says that it weighs nothing is harmless, as is an object that simulators take for static
+    let no_inertia = inertial
+        .entries()
+        .map(verdict)
+        .is_none_or(|verdict| verdict == InertiaClass::Zero);
+    let is_frame = !link.has_geometry() && no_inertia;
+    let is_object = no_inertia && cx.robot.is_some_and(Robot::is_rigid);
+    let harmless = is_frame || is_object || is_joined(cx, link);
+    let severity = if harmless {
+        Severity::Info
+    } else {
+        Severity::Warning
+    };
+    let message = format!("link `{}` has zero mass", link.shown());
+    let report = out.report(text.origin, message).severity(severity).help(
+        "write a mass greater than 0, or remove <inertial>; simulators ignore a link without mass",
+    );
+    match cx
+        .expansion
+        .place(element_range(cx.expansion, inertial.element))
+    {
+        Some(place) => {
+            let edit = [(place.range, String::new())];
+            report
+                .fix(Safety::Unsafe, "remove `inertial`", place.file, edit)
+                .done();
         }
+        None => report.done(),
     }
 }

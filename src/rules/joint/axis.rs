@@ -4,19 +4,17 @@ use model::{AttrValue, Joint, JointType};
 /// What counts as no length at all.
 pub(super) const NO_LENGTH: f64 = 1e-9;
 
-/// The axes of joints that move, as far as they are written and known. Fixed joints often carry a zero axis.
-pub(super) fn moving_axes(
-    joints: &[Joint],
-) -> impl Iterator<Item = (&Joint, &AttrValue, [f64; 3])> {
-    let moving = |joint: &&Joint| {
-        joint
-            .joint_type()
-            .is_some_and(|kind| kind.has_axis() || kind == JointType::Planar)
-    };
-    joints.iter().filter(moving).filter_map(|joint| {
-        let text = joint.axis.as_ref()?.xyz.as_ref()?;
-        Some((joint, text, text.numbers()?))
-    })
+/// Whether a joint moves about or along its axis. Fixed joints often carry a zero axis.
+pub(super) fn moves(joint: &Joint) -> bool {
+    joint
+        .joint_type()
+        .is_some_and(|kind| kind.has_axis() || kind == JointType::Planar)
+}
+
+/// The axis of a joint that moves, when it is written and known.
+pub(super) fn moving_axis(joint: &Joint) -> Option<(&AttrValue, [f64; 3])> {
+    let text = joint.axis.as_ref()?.xyz.as_ref()?;
+    Some((text, text.numbers().filter(|_| moves(joint))?))
 }
 
 /// The length of a vector.

@@ -2,6 +2,7 @@
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
+use model::Joint;
 use model::JointType::{Floating, Planar};
 
 pub(super) static RULE: Rule = Rule {
@@ -13,18 +14,15 @@ pub(super) static RULE: Rule = Rule {
     since: "0.1",
     fix: None,
     docs: page("floating-or-planar-joint"),
-    check: Check::Document(check),
+    check: Check::Joint(check),
 };
 
-fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for joint in cx
-        .joints()
-        .iter()
-        .filter(|joint| joint.is(&[Floating, Planar]))
-    {
-        let Some(kind) = &joint.kind else { continue };
-        out.report(kind.origin, format!("joint `{}` is {}, which kdl_parser treats as fixed", joint.shown(), kind.value))
-            .help("use a chain of prismatic and revolute joints; robot_state_publisher publishes this joint as fixed")
-            .done();
+fn check(_: &DocumentCx<'_>, joint: &Joint, out: &mut Sink<'_>) {
+    if !joint.is(&[Floating, Planar]) {
+        return;
     }
+    let Some(kind) = &joint.kind else { return };
+    out.report(kind.origin, format!("joint `{}` is {}, which kdl_parser treats as fixed", joint.shown(), kind.value))
+        .help("use a chain of prismatic and revolute joints; robot_state_publisher publishes this joint as fixed")
+        .done();
 }

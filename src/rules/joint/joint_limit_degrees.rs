@@ -3,7 +3,7 @@ use super::super::context::DocumentCx;
 use super::super::numbers::{UNLIMITED, from_degrees, is_part_of_pi, short, whole};
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use model::{AttrValue, JointType, Limit};
+use model::{AttrValue, Joint, JointType, Limit};
 
 pub(super) static RULE: Rule = Rule {
     code: "JNT006",
@@ -14,7 +14,7 @@ pub(super) static RULE: Rule = Rule {
     since: "0.1",
     fix: Some(Safety::Unsafe),
     docs: page("joint-limit-degrees"),
-    check: Check::Document(check),
+    check: Check::Joint(check),
 };
 
 /// Four half turns each way and some: more than any wrist has, in radians.
@@ -60,27 +60,30 @@ fn range(limit: &Limit) -> Option<(f64, f64)> {
     Some((number(&limit.lower)?, number(&limit.upper)?))
 }
 
-fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    let joints = cx.joints().iter();
-    for joint in joints.filter(|joint| joint.is(&[JointType::Revolute])) {
-        let Some(limit) = &joint.limit else { continue };
-        let ends = [("lower", &limit.lower), ("upper", &limit.upper)];
-        let large: Vec<_> = ends.into_iter().filter_map(large).collect();
-        if large.is_empty() || is_for_none(cx, limit) || is_filled_in(limit, &large) {
-            continue;
-        }
-        for (name, text, value) in large {
-            let turns = short((value / std::f64::consts::TAU).abs().round());
-            let message = format!(
-                "{name} limit of joint `{}` is {} rad ({turns} turns); this looks like degrees",
-                joint.shown(),
-                text.value
-            );
-            let report = out
-                .report(text.origin, message)
-                .help("write the angle in radians");
-            from_degrees(report, cx.expansion, text, whole(text)).done();
-        }
+fn check(cx: &DocumentCx<'_>, joint: &Joint, out: &mut Sink<'_>) {
+    let Some(limit) = joint
+        .limit
+        .as_ref()
+        .filter(|_| joint.is(&[JointType::Revolute]))
+    else {
+        return;
+    };
+    let ends = [("lower", &limit.lower), ("upper", &limit.upper)];
+    let large: Vec<_> = ends.into_iter().filter_map(large).collect();
+    if large.is_empty() || is_for_none(cx, limit) || is_filled_in(limit, &large) {
+        return;
+    }
+    for (name, text, value) in large {
+        let turns = short((value / std::f64::consts::TAU).abs().round());
+        let message = format!(
+            "{name} limit of joint `{}` is {} rad ({turns} turns); this looks like degrees",
+            joint.shown(),
+            text.value
+        );
+        let report = out
+            .report(text.origin, message)
+            .help("write the angle in radians");
+        from_degrees(report, cx.expansion, text, whole(text)).done();
     }
 }
 

@@ -4,7 +4,7 @@ use super::super::edits::{is_called, source_text};
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::{Reported, Sink};
 use model::JointType::{Continuous, Fixed, Floating};
-use model::{Limit, tag_start};
+use model::{Joint, Limit, tag_start};
 
 /// What to do, unless more is known.
 const SWAP: &str = "swap the limits, or correct a sign";
@@ -18,28 +18,25 @@ pub(super) static RULE: Rule = Rule {
     since: "0.1",
     fix: Some(Safety::Unsafe),
     docs: page("joint-limit-inverted"),
-    check: Check::Document(check),
+    check: Check::Joint(check),
 };
 
-fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for joint in cx
-        .joints()
-        .iter()
-        .filter(|joint| !joint.is(&[Continuous, Fixed, Floating]))
-    {
-        let Some(limit) = &joint.limit else { continue };
-        let Some((lower, upper)) = limit.range().filter(|(lower, upper)| lower > upper) else {
-            continue;
-        };
-        let message = format!(
-            "lower limit {lower} of joint `{}` is greater than upper limit {upper}",
-            joint.shown()
-        );
-        let report = out
-            .report(tag_start(cx.expansion, limit.element), message)
-            .help(SWAP);
-        swapped(report, cx, limit).done();
+fn check(cx: &DocumentCx<'_>, joint: &Joint, out: &mut Sink<'_>) {
+    if joint.is(&[Continuous, Fixed, Floating]) {
+        return;
     }
+    let Some(limit) = &joint.limit else { return };
+    let Some((lower, upper)) = limit.range().filter(|(lower, upper)| lower > upper) else {
+        return;
+    };
+    let message = format!(
+        "lower limit {lower} of joint `{}` is greater than upper limit {upper}",
+        joint.shown()
+    );
+    let report = out
+        .report(tag_start(cx.expansion, limit.element), message)
+        .help(SWAP);
+    swapped(report, cx, limit).done();
 }
 
 /// With the fix to swap both values.

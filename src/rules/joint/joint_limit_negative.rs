@@ -15,49 +15,46 @@ pub(in super::super) static RULE: Rule = Rule {
     since: "0.1",
     fix: Some(Safety::Unsafe),
     docs: page("joint-limit-negative"),
-    check: Check::Document(check),
+    check: Check::Joint(check),
 };
 
-fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for joint in cx
-        .joints()
-        .iter()
-        .filter(|joint| !joint.is(&[JointType::Fixed]))
+fn check(cx: &DocumentCx<'_>, joint: &Joint, out: &mut Sink<'_>) {
+    if joint.is(&[JointType::Fixed]) {
+        return;
+    }
+    let Some(limit) = &joint.limit else { return };
+    let is_new = Version::V1_2.is_in(&cx.expansion.tree);
+    let strength = [("effort", &limit.effort), ("velocity", &limit.velocity)];
+    for (name, text) in strength
+        .into_iter()
+        .chain(Limit::DYNAMIC.into_iter().zip(&limit.dynamic))
     {
-        let Some(limit) = &joint.limit else { continue };
-        let is_new = Version::V1_2.is_in(&cx.expansion.tree);
-        let strength = [("effort", &limit.effort), ("velocity", &limit.velocity)];
-        for (name, text) in strength
-            .into_iter()
-            .chain(Limit::DYNAMIC.into_iter().zip(&limit.dynamic))
-        {
-            let Some(text) = text else { continue };
-            if let Some(value) = text.number().filter(|&value| value < 0.0) {
-                // SDFormat reads -1 as "no limit"; urdfdom refuses it from URDF 1.2 on
-                let severity = if value != -1.0 || is_new {
-                    Severity::Error
-                } else if is_only_driven(cx, joint) || is_endless(limit) {
-                    Severity::Info
-                } else {
-                    Severity::Warning
-                };
-                let message = format!(
-                    "joint `{}` has negative {name} {}",
-                    joint.shown(),
-                    text.value
-                );
-                let report = out
-                    .report(text.origin, message)
-                    .severity(severity)
-                    .help("write the value without the sign; it applies to both directions");
-                rewrite(
-                    report,
-                    Safety::Unsafe,
-                    text,
-                    text.value.trim().trim_start_matches('-').to_owned(),
-                )
-                .done();
-            }
+        let Some(text) = text else { continue };
+        if let Some(value) = text.number().filter(|&value| value < 0.0) {
+            // SDFormat reads -1 as "no limit"; urdfdom refuses it from URDF 1.2 on
+            let severity = if value != -1.0 || is_new {
+                Severity::Error
+            } else if is_only_driven(cx, joint) || is_endless(limit) {
+                Severity::Info
+            } else {
+                Severity::Warning
+            };
+            let message = format!(
+                "joint `{}` has negative {name} {}",
+                joint.shown(),
+                text.value
+            );
+            let report = out
+                .report(text.origin, message)
+                .severity(severity)
+                .help("write the value without the sign; it applies to both directions");
+            rewrite(
+                report,
+                Safety::Unsafe,
+                text,
+                text.value.trim().trim_start_matches('-').to_owned(),
+            )
+            .done();
         }
     }
 }

@@ -15,47 +15,37 @@ pub(super) static RULE: Rule = Rule {
     since: "0.1",
     fix: Some(Safety::Unsafe),
     docs: page("joint-velocity-degrees"),
-    check: Check::Document(check),
+    check: Check::Joint(check),
 };
 
 /// Velocities that are round in degrees per second. Others are as likely those of a fast motor.
 const IN_DEGREES: [f64; 4] = [90.0, 120.0, 180.0, 360.0];
 
-fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+fn check(cx: &DocumentCx<'_>, joint: &Joint, out: &mut Sink<'_>) {
+    let Some(limit) = joint
+        .limit
+        .as_ref()
+        .filter(|_| joint.is(&[JointType::Revolute]))
+    else {
+        return;
+    };
+    let Some(text) = &limit.velocity else { return };
     let most = MAX_JOINT_VELOCITY.value(cx.world.config);
-    let joints: Vec<&Joint> = cx
-        .joints()
-        .iter()
-        .filter(|joint| joint.is(&[JointType::Revolute]))
-        .collect();
-    for joint in &joints {
-        if joint.limit.as_ref().is_some_and(is_made_up) {
-            continue;
-        }
-        let Some(text) = velocity(joint) else {
-            continue;
-        };
-        if text
-            .number()
-            .is_some_and(|value| is_everywhere(&joints, value))
-        {
-            continue;
-        }
-        if text
-            .number()
-            .is_some_and(|value| value > most && IN_DEGREES.contains(&value))
-        {
-            let message = format!(
-                "velocity limit of joint `{}` is {} rad/s; this looks like degrees per second",
-                joint.shown(),
-                text.value
-            );
-            let report = out
-                .report(text.origin, message)
-                .help("write the velocity in rad/s");
-            from_degrees(report, cx.expansion, text, whole(text)).done();
-        }
+    let in_degrees = text
+        .number()
+        .filter(|value| *value > most && IN_DEGREES.contains(value));
+    if is_made_up(limit) || in_degrees.is_none_or(|value| is_everywhere(cx.joints(), value)) {
+        return;
     }
+    let message = format!(
+        "velocity limit of joint `{}` is {} rad/s; this looks like degrees per second",
+        joint.shown(),
+        text.value
+    );
+    let report = out
+        .report(text.origin, message)
+        .help("write the velocity in rad/s");
+    from_degrees(report, cx.expansion, text, whole(text)).done();
 }
 
 fn velocity(joint: &Joint) -> Option<&AttrValue> {
@@ -63,10 +53,13 @@ fn velocity(joint: &Joint) -> Option<&AttrValue> {
 }
 
 /// Whether many joints have the same velocity: nobody measured that, it only means "enough".
-fn is_everywhere(joints: &[&Joint], value: f64) -> bool {
+fn is_everywhere(joints: &[Joint], value: f64) -> bool {
     const MANY: usize = 8;
-    let same = |joint: &&&Joint| velocity(joint).and_then(AttrValue::number) == Some(value);
-    joints.iter().filter(same).count() >= MANY
+    let same = |joint: &&Joint| {
+        joint.is(&[JointType::Revolute])
+            && velocity(joint).and_then(AttrValue::number) == Some(value)
+    };
+    joints.iter().filter(same).take(MANY).count() == MANY
 }
 
 /// Whether effort and velocity are round numbers that only mean "enough", such as 1000 and 100.

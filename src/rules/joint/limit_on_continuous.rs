@@ -14,43 +14,40 @@ pub(super) static RULE: Rule = Rule {
     since: "0.1",
     fix: Some(Safety::Safe),
     docs: page("limit-on-continuous"),
-    check: Check::Document(check),
+    check: Check::Joint(check),
 };
 
 /// One turn, with what rounding pi takes away, rad.
 const FULL_TURN: f64 = std::f64::consts::TAU - 0.01;
 
-fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for joint in cx
-        .joints()
-        .iter()
-        .filter(|joint| joint.is(&[JointType::Continuous]))
-    {
-        let Some(limit) = &joint.limit else { continue };
-        let texts = [("lower", &limit.lower), ("upper", &limit.upper)];
-        let written: Vec<_> = texts
-            .into_iter()
-            .filter_map(|(name, text)| Some((name, text.as_ref()?)))
-            .collect();
-        if written.is_empty() {
-            continue;
-        }
-        let names: Vec<&str> = written.iter().map(|(name, _)| *name).collect();
-        let message = format!(
-            "continuous joint `{}` has {}, which most programs ignore",
-            joint.shown(),
-            names.join(" and ")
-        );
-        let report = out
-            .report(tag_start(cx.expansion, limit.element), message)
-            .severity(if restricts(limit) && !follows(cx, joint) {
-                Severity::Warning
-            } else {
-                Severity::Info
-            })
-            .help("write type=\"revolute\", or remove the position limits; a continuous joint uses only effort and velocity");
-        delete_attrs(report, cx.expansion, limit.element, &names).done();
+fn check(cx: &DocumentCx<'_>, joint: &Joint, out: &mut Sink<'_>) {
+    if !joint.is(&[JointType::Continuous]) {
+        return;
     }
+    let Some(limit) = &joint.limit else { return };
+    let texts = [("lower", &limit.lower), ("upper", &limit.upper)];
+    let written: Vec<_> = texts
+        .into_iter()
+        .filter_map(|(name, text)| Some((name, text.as_ref()?)))
+        .collect();
+    if written.is_empty() {
+        return;
+    }
+    let names: Vec<&str> = written.iter().map(|(name, _)| *name).collect();
+    let message = format!(
+        "continuous joint `{}` has {}, which most programs ignore",
+        joint.shown(),
+        names.join(" and ")
+    );
+    let report = out
+        .report(tag_start(cx.expansion, limit.element), message)
+        .severity(if restricts(limit) && !follows(cx, joint) {
+            Severity::Warning
+        } else {
+            Severity::Info
+        })
+        .help("write type=\"revolute\", or remove the position limits; a continuous joint uses only effort and velocity");
+    delete_attrs(report, cx.expansion, limit.element, &names).done();
 }
 
 /// Whether a joint only goes where another one with limits leads it.

@@ -3,8 +3,9 @@ use super::super::context::DocumentCx;
 use super::super::edits::{indent, source_text};
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::{Reported, Sink};
+use super::axis::moves;
 use base::TextRange;
-use model::{Joint, JointType, element_range, tag_start};
+use model::{Joint, element_range, tag_start};
 
 pub(super) static RULE: Rule = Rule {
     code: "JNT013",
@@ -15,31 +16,19 @@ pub(super) static RULE: Rule = Rule {
     since: "0.1",
     fix: Some(Safety::Safe),
     docs: page("missing-axis"),
-    check: Check::Document(check),
+    check: Check::Joint(check),
 };
 
-fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    if !cx.whole() {
+fn check(cx: &DocumentCx<'_>, joint: &Joint, out: &mut Sink<'_>) {
+    if joint.axis.is_some() || !moves(joint) || !cx.whole() {
         return;
     }
-    let moving = |joint: &&Joint| {
-        joint
-            .joint_type()
-            .is_some_and(|kind| kind.has_axis() || kind == JointType::Planar)
-    };
-    for joint in cx
-        .joints()
-        .iter()
-        .filter(moving)
-        .filter(|joint| joint.axis.is_none())
-    {
-        let message = format!(
-            "joint `{}` has no `axis`; the default is `1 0 0`",
-            joint.shown()
-        );
-        let report = out.report(tag_start(cx.expansion, joint.element), message);
-        written(report.help("add <axis xyz=\"...\"/>"), cx, joint).done();
-    }
+    let message = format!(
+        "joint `{}` has no `axis`; the default is `1 0 0`",
+        joint.shown()
+    );
+    let report = out.report(tag_start(cx.expansion, joint.element), message);
+    written(report.help("add <axis xyz=\"...\"/>"), cx, joint).done();
 }
 
 /// With the fix to write the axis behind the last of the elements that usually stand in front of it.

@@ -15,31 +15,28 @@ pub(in super::super) static RULE: Rule = Rule {
     since: "0.1",
     fix: None,
     docs: page("missing-joint-limit"),
-    check: Check::Document(check),
+    check: Check::Joint(check),
 };
 
-fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+fn check(cx: &DocumentCx<'_>, joint: &Joint, out: &mut Sink<'_>) {
     if !cx.whole() {
         return;
     }
-    for joint in cx
-        .joints()
-        .iter()
-        .filter(|joint| joint.limit.is_none() && joint.is(&[Revolute, Prismatic]))
-    {
-        // an expression that was meant to insert a block has its own finding, and so has a misspelled element
-        if has_unknown_text(cx, joint) || has_misspelled_limit(cx, joint) {
-            continue;
-        }
-        let kind = joint.kind.as_ref().map_or("", |kind| kind.value.as_str());
-        let name = joint.shown();
-        out.report(
-            tag_start(cx.expansion, joint.element),
-            format!("{kind} joint `{name}` has no `limit`"),
-        )
-        .help("add <limit lower=\"...\" upper=\"...\" effort=\"...\" velocity=\"...\"/>")
-        .done();
+    if !(joint.limit.is_none() && joint.is(&[Revolute, Prismatic])) {
+        return;
     }
+    // an expression that was meant to insert a block has its own finding, and so has a misspelled element
+    if has_unknown_text(cx, joint) || has_misspelled_limit(cx, joint) {
+        return;
+    }
+    let kind = joint.kind.as_ref().map_or("", |kind| kind.value.as_str());
+    let name = joint.shown();
+    out.report(
+        tag_start(cx.expansion, joint.element),
+        format!("{kind} joint `{name}` has no `limit`"),
+    )
+    .help("add <limit lower=\"...\" upper=\"...\" effort=\"...\" velocity=\"...\"/>")
+    .done();
 }
 
 /// Whether a joint holds text that could not be computed.

@@ -15,45 +15,43 @@ pub(in super::super) static RULE: Rule = Rule {
     since: "0.1",
     fix: None,
     docs: page("missing-limit-attribute"),
-    check: Check::Document(check),
+    check: Check::Joint(check),
 };
 
-fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for joint in cx.joints() {
-        let Some(limit) = &joint.limit else { continue };
-        let is_new = Version::V1_2.is_in(&cx.expansion.tree);
-        let mut missing = if is_new {
-            missing_bounds(joint, limit)
-        } else {
-            missing_strength(limit)
-        };
-        if !missing.is_empty()
-            && let Some(spec) = schema::urdf_element("limit")
-        {
-            let meant = meant_attributes(cx, limit.element, spec);
-            missing.retain(|name| !meant.contains(name));
-        }
-        if missing.is_empty() {
-            if !is_new {
-                half_bounds(cx, joint, limit, out);
-            }
-            continue;
-        }
-        let fixed = joint.is(&[JointType::Fixed]);
-        let message = format!(
-            "`limit` of joint `{}` has no {}",
-            joint.shown(),
-            missing.join(" and no ")
-        );
-        out.report(tag_start(cx.expansion, limit.element), message)
-            .severity(if fixed { Severity::Info } else { Severity::Error })
-            .help(if is_new {
-                "add lower=\"...\" and upper=\"...\", which URDF 1.2 requires"
-            } else {
-                "add effort=\"...\" (N m or N) and velocity=\"...\" (rad/s or m/s), which urdfdom requires"
-            })
-            .done();
+fn check(cx: &DocumentCx<'_>, joint: &Joint, out: &mut Sink<'_>) {
+    let Some(limit) = &joint.limit else { return };
+    let is_new = Version::V1_2.is_in(&cx.expansion.tree);
+    let mut missing = if is_new {
+        missing_bounds(joint, limit)
+    } else {
+        missing_strength(limit)
+    };
+    if !missing.is_empty()
+        && let Some(spec) = schema::urdf_element("limit")
+    {
+        let meant = meant_attributes(cx, limit.element, spec);
+        missing.retain(|name| !meant.contains(name));
     }
+    if missing.is_empty() {
+        if !is_new {
+            half_bounds(cx, joint, limit, out);
+        }
+        return;
+    }
+    let fixed = joint.is(&[JointType::Fixed]);
+    let message = format!(
+        "`limit` of joint `{}` has no {}",
+        joint.shown(),
+        missing.join(" and no ")
+    );
+    out.report(tag_start(cx.expansion, limit.element), message)
+        .severity(if fixed { Severity::Info } else { Severity::Error })
+        .help(if is_new {
+            "add lower=\"...\" and upper=\"...\", which URDF 1.2 requires"
+        } else {
+            "add effort=\"...\" (N m or N) and velocity=\"...\" (rad/s or m/s), which urdfdom requires"
+        })
+        .done();
 }
 
 /// What a limit lacks before URDF 1.2.

@@ -2,6 +2,7 @@
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
+use super::seen::CheckedElement;
 use super::walk;
 use base::FastMap;
 use expand::{XId, XKind, XTree};
@@ -16,7 +17,7 @@ pub(in super::super) static RULE: Rule = Rule {
     since: "0.1",
     fix: None,
     docs: page("duplicate-element"),
-    check: Check::Document(check),
+    check: Check::Element(check),
 };
 
 /// The elements that count once.
@@ -35,27 +36,38 @@ const SINGLE: [&str; 12] = [
     "safety_controller",
 ];
 
-fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+fn check(
+    cx: &DocumentCx<'_>,
+    &CheckedElement { id, known, .. }: &CheckedElement,
+    out: &mut Sink<'_>,
+) {
     let tree = &cx.expansion.tree;
-    for (id, _) in walk::known(cx).filter(|(_, spec)| spec.name != "robot") {
-        let mut first: FastMap<&str, XId> = FastMap::default();
-        for child in tree.elements(id) {
-            let name = tree.get(child).text.as_str();
-            if !SINGLE.contains(&name) {
-                continue;
-            }
-            if let Some(&earlier) = first.get(name) {
-                let message = format!("{} has more than one `{name}`", walk::described(cx, id));
-                let equal = is_same(tree, earlier, child)
-                    || name == "origin" && is_same_pose(tree, earlier, child);
-                out.report(tag_start(cx.expansion, child), message)
-                    .severity(if equal { Severity::Info } else { Severity::Warning })
-                    .also(tag_start(cx.expansion, earlier), "first one here")
-                    .help("remove one of them; urdfdom uses the first one, other parsers reject the file")
-                    .done();
-            } else {
-                first.insert(name, child);
-            }
+    if known.is_none_or(|spec| spec.name == "robot") {
+        return;
+    }
+    let mut first: FastMap<&str, XId> = FastMap::default();
+    for child in tree.elements(id) {
+        let name = tree.get(child).text.as_str();
+        if !SINGLE.contains(&name) {
+            continue;
+        }
+        if let Some(&earlier) = first.get(name) {
+            let message = format!("{} has more than one `{name}`", walk::described(cx, id));
+            let equal = is_same(tree, earlier, child)
+                || name == "origin" && is_same_pose(tree, earlier, child);
+            out.report(tag_start(cx.expansion, child), message)
+                .severity(if equal {
+                    Severity::Info
+                } else {
+                    Severity::Warning
+                })
+                .also(tag_start(cx.expansion, earlier), "first one here")
+                .help(
+                    "remove one of them; urdfdom uses the first one, other parsers reject the file",
+                )
+                .done();
+        } else {
+            first.insert(name, child);
         }
     }
 }

@@ -6,12 +6,11 @@ use super::super::edits::source_text;
 use super::super::numbers::rewrite;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use super::super::xml::seen::Numeric;
+use super::super::xml::seen::{CheckedElement, Numeric};
 use super::meant::{self, MeantValue};
 use super::walk;
 use expand::{BindingId, Origin, XId, meant_number};
 use model::{AttrValue, decimal, is_decimal};
-use xml::Document;
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "XML010",
@@ -22,60 +21,61 @@ pub(in super::super) static RULE: Rule = Rule {
     since: "0.1",
     fix: Some(Safety::Unsafe),
     docs: page("invalid-number"),
-    check: Check::Document(check),
+    check: Check::Number(check),
 };
 
-fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    let is_plain = is_plain(cx);
-    for Numeric {
+fn check(cx: &DocumentCx<'_>, number: &Numeric, out: &mut Sink<'_>) {
+    let &Numeric {
         id,
         name,
         count,
-        text,
-    } in numeric(cx)
-    {
-        let bad = bad_words(text, *count);
-        if bad.is_empty() {
-            blanks(cx, (*id, name), *count, text, is_plain, out);
-        } else if let Some(meant) = meant::of_numbers(cx, text, *count) {
-            report_meant(cx, *id, name, text, meant, out);
-        } else {
-            bad.into_iter()
-                .for_each(|range| report(cx, *id, name, text, range, out));
-        }
+        ref text,
+    } = number;
+    if is_decimal(&text.value) {
+        return; // as nearly all are
+    }
+    let bad = bad_words(text, count);
+    if bad.is_empty() {
+        blanks(cx, (id, name), count, text, out);
+    } else if let Some(meant) = meant::of_numbers(cx, text, count) {
+        report_meant(cx, id, name, text, meant, out);
+    } else {
+        bad.into_iter()
+            .for_each(|range| report(cx, id, name, text, range, out));
     }
 }
 
-/// Attributes that hold numbers. Those not known are left out.
-pub(super) fn numeric<'a>(cx: &'a DocumentCx<'_>) -> &'a [Numeric] {
-    cx.numeric.get_or_init(|| find_numeric(cx))
-}
-
-fn find_numeric(cx: &DocumentCx<'_>) -> Vec<Numeric> {
-    let mut found = Vec::new();
-    for (id, spec) in walk::known(cx) {
-        for attribute in spec.attributes {
-            let text =
-                attribute
-                    .numbers()
-                    .zip(AttrValue::attr(&cx.expansion.tree, id, attribute.name));
-            let text = text.filter(|(_, text)| {
-                let open = text.value.contains("${") || text.value.contains("$(");
-                // readers pass over what is newer than the robot
-                text.is_known()
-                    && !open
-                    && !is_reported(cx, text.origin)
-                    && !cx.is_older_than(attribute.since)
-            });
-            found.extend(text.map(|(count, text)| Numeric {
+/// The attributes of an element that hold numbers. Those not known are left out.
+pub(in super::super) fn each_number(
+    cx: &DocumentCx<'_>,
+    element: &CheckedElement,
+    mut each: impl FnMut(&Numeric),
+) {
+    let id = element.id;
+    let attributes = element.known.map_or(&[][..], |spec| spec.attributes);
+    for attribute in attributes {
+        let Some((count, text)) =
+            attribute
+                .numbers()
+                .zip(AttrValue::attr(&cx.expansion.tree, id, attribute.name))
+        else {
+            continue;
+        };
+        let open = text.value.contains("${") || text.value.contains("$(");
+        // readers pass over what is newer than the robot
+        if text.is_known()
+            && !open
+            && !is_reported(cx, text.origin)
+            && !cx.is_older_than(attribute.since)
+        {
+            each(&Numeric {
                 id,
                 name: attribute.name,
                 count,
                 text,
-            }));
+            });
         }
     }
-    found
 }
 
 /// Blanks that urdfdom does not take: behind a number, and other ones than spaces between numbers.
@@ -84,7 +84,6 @@ fn blanks(
     (id, name): (XId, &str),
     count: usize,
     text: &AttrValue,
-    is_plain: bool,
     out: &mut Sink<'_>,
 ) {
     let trimmed = text.value.trim();
@@ -100,8 +99,8 @@ fn blanks(
             .report(text.origin, message)
             .help(format!("write `{trimmed}`"));
         rewrite(report, Safety::Unsafe, text, trimmed.to_owned()).done();
-    } else if is_plain
-        && text.is_literal()
+    } else if text.is_literal()
+        && is_plain(cx)
         && let Some((_, _, written)) = source_text(cx.expansion, text.origin)
         && let Some(blank) = blank_in_vector(&written)
     {
@@ -120,8 +119,7 @@ fn blanks(
     }
 }
 
-/// Whether readers take the values as they are written, and some value holds a blank that is no space: xacro makes a
-/// space of each.
+/// Whether readers take the values as they are written: xacro makes a space of each blank.
 fn is_plain(cx: &DocumentCx<'_>) -> bool {
     let file = cx
         .expansion
@@ -129,28 +127,9 @@ fn is_plain(cx: &DocumentCx<'_>) -> bool {
         .first()
         .filter(|_| cx.kind == RootKind::Robot);
     file.is_some_and(|file| {
-        let declares_xacro = file
-            .source
-            .document
-            .root()
-            .is_some_and(|root| root.attr("xmlns:xacro").is_some());
-        is_plain_urdf(&file.source.path)
-            && !declares_xacro
-            && cx.expansion.files.len() == 1
-            && has_blanks(&file.source.document)
-    })
-}
-
-/// Whether a value of a document holds a tab or a line break.
-fn has_blanks(document: &Document) -> bool {
-    let mut attrs = document
-        .parts()
-        .flat_map(|(_, item)| item.all_nodes())
-        .flat_map(|node| node.attrs());
-    attrs.any(|attr| {
-        attr.raw()
-            .bytes()
-            .any(|byte| matches!(byte, b'\t' | b'\n' | b'\r'))
+        let root = file.source.document.root();
+        let declares_xacro = root.is_some_and(|root| root.attr("xmlns:xacro").is_some());
+        is_plain_urdf(&file.source.path) && !declares_xacro && cx.expansion.files.len() == 1
     })
 }
 
@@ -175,7 +154,12 @@ pub(super) fn is_reported(cx: &DocumentCx<'_>, origin: Origin) -> bool {
         return false;
     };
     let mut places = cx.expansion.problems.iter().map(|problem| problem.place);
-    places.any(|at| at.file == place.file && place.range.contains_range(at.range))
+    let found = places.any(|at| at.file == place.file && place.range.contains_range(at.range));
+    if found {
+        // what is reported there may be gone after the next edit, wherever it is
+        cx.look_beyond();
+    }
+    found
 }
 
 /// The words that are no numbers. Of a single number also what follows it; an empty range when there is none.

@@ -4,6 +4,7 @@ use super::super::edits::source_text;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::schema::ElementSpec;
 use super::super::sink::Sink;
+use super::seen::CheckedElement;
 use super::{meant, walk};
 use expand::{XId, XTree};
 use model::{AttrValue, element_range, tag_start};
@@ -17,45 +18,52 @@ pub(in super::super) static RULE: Rule = Rule {
     since: "0.1",
     fix: Some(Safety::Unsafe),
     docs: page("missing-attribute"),
-    check: Check::Document(check),
+    check: Check::Element(check),
 };
 
-fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    check_controls(cx, out);
-    // the name of the robot has a rule of its own
-    for (id, spec) in walk::known(cx).filter(|(_, spec)| spec.name != "robot") {
-        let missing = missing(cx, id, spec);
-        if missing.is_empty() || walk::may_get_more(cx, id) {
-            continue;
-        }
-        let plural = if missing.len() == 1 {
-            "attribute"
-        } else {
-            "attributes"
-        };
-        let message = format!(
-            "missing {plural} `{1}` in {0}",
-            walk::described(cx, id),
-            missing.join("`, `")
-        );
-        if let (["value"], Some(text)) = (missing.as_slice(), number_inside(cx, id)) {
-            report_inside(cx, id, (spec.name, "value", message), &text, out);
-            continue;
-        }
-        let add: Vec<String> = missing
-            .iter()
-            .map(|name| format!("{name}=\"...\""))
-            .collect();
-        let severity = if is_second_material(cx, id, spec) {
-            Severity::Info
-        } else {
-            RULE.severity
-        };
-        out.report(tag_start(cx.expansion, id), message)
-            .severity(severity)
-            .help(format!("add {}", add.join(" ")))
-            .done();
+fn check(
+    cx: &DocumentCx<'_>,
+    &CheckedElement { id, known, .. }: &CheckedElement,
+    out: &mut Sink<'_>,
+) {
+    if id == cx.element {
+        check_controls(cx, out);
     }
+    // the name of the robot has a rule of its own
+    let Some(spec) = known.filter(|spec| spec.name != "robot") else {
+        return;
+    };
+    let missing = missing(cx, id, spec);
+    if missing.is_empty() || walk::may_get_more(cx, id) {
+        return;
+    }
+    let plural = if missing.len() == 1 {
+        "attribute"
+    } else {
+        "attributes"
+    };
+    let message = format!(
+        "missing {plural} `{1}` in {0}",
+        walk::described(cx, id),
+        missing.join("`, `")
+    );
+    if let (["value"], Some(text)) = (missing.as_slice(), number_inside(cx, id)) {
+        report_inside(cx, id, (spec.name, "value", message), &text, out);
+        return;
+    }
+    let add: Vec<String> = missing
+        .iter()
+        .map(|name| format!("{name}=\"...\""))
+        .collect();
+    let severity = if is_second_material(cx, id, spec) {
+        Severity::Info
+    } else {
+        RULE.severity
+    };
+    out.report(tag_start(cx.expansion, id), message)
+        .severity(severity)
+        .help(format!("add {}", add.join(" ")))
+        .done();
 }
 
 /// What ros2_control stops at: joints, sensors, groups of inputs and outputs, and interfaces without a name.

@@ -4,6 +4,7 @@ use super::super::geometry::{is_read_last, is_taken_out};
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::schema::ElementSpec;
 use super::super::sink::Sink;
+use super::seen::CheckedElement;
 use super::walk;
 use expand::{XId, XKind, XTree};
 use model::tag_start;
@@ -17,46 +18,50 @@ pub(super) static RULE: Rule = Rule {
     since: "0.1",
     fix: None,
     docs: page("missing-element"),
-    check: Check::WholeDocument(check),
+    check: Check::WholeElement(check),
 };
 
-fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for (id, spec) in walk::known(cx).filter(|(_, spec)| !spec.required.is_empty()) {
-        let missing = missing(cx, id, spec);
-        if missing.is_empty() || walk::may_get_more(cx, id) {
-            continue;
-        }
-        let message = format!(
-            "missing element `{1}` in {0}",
-            walk::described(cx, id),
-            missing.join("` and `")
-        );
-        let shape = bare_shape(cx, id).filter(|_| missing == ["geometry"]);
-        if let Some(shape) = shape {
-            let help = format!("put `{shape}` in <geometry>");
-            out.report(tag_start(cx.expansion, id), message)
-                .help(help)
-                .done();
-            continue;
-        }
-        let tree = &cx.expansion.tree;
-        let is_meant = missing == ["geometry"]
-            && (is_taken_out(tree, id, id)
-                || is_empty_collision(tree, id) && is_read_last(tree, id));
-        let severity = if is_meant {
-            Severity::Info
-        } else {
-            RULE.severity
-        };
-        let add: Vec<String> = missing
-            .iter()
-            .map(|name| format!("<{name} .../>"))
-            .collect();
-        out.report(tag_start(cx.expansion, id), message)
-            .severity(severity)
-            .help(format!("add {}", add.join(" and ")))
-            .done();
+fn check(
+    cx: &DocumentCx<'_>,
+    &CheckedElement { id, known, .. }: &CheckedElement,
+    out: &mut Sink<'_>,
+) {
+    let Some(spec) = known.filter(|spec| !spec.required.is_empty()) else {
+        return;
+    };
+    let missing = missing(cx, id, spec);
+    if missing.is_empty() || walk::may_get_more(cx, id) {
+        return;
     }
+    let message = format!(
+        "missing element `{1}` in {0}",
+        walk::described(cx, id),
+        missing.join("` and `")
+    );
+    let shape = bare_shape(&cx.expansion.tree, id).filter(|_| missing == ["geometry"]);
+    if let Some(shape) = shape {
+        let help = format!("put `{shape}` in <geometry>");
+        out.report(tag_start(cx.expansion, id), message)
+            .help(help)
+            .done();
+        return;
+    }
+    let tree = &cx.expansion.tree;
+    let is_meant = missing == ["geometry"]
+        && (is_taken_out(tree, id, id) || is_empty_collision(tree, id) && is_read_last(tree, id));
+    let severity = if is_meant {
+        Severity::Info
+    } else {
+        RULE.severity
+    };
+    let add: Vec<String> = missing
+        .iter()
+        .map(|name| format!("<{name} .../>"))
+        .collect();
+    out.report(tag_start(cx.expansion, id), message)
+        .severity(severity)
+        .help(format!("add {}", add.join(" and ")))
+        .done();
 }
 
 /// Whether an element is a collision in which nothing was written.
@@ -90,8 +95,7 @@ fn missing(cx: &DocumentCx<'_>, id: XId, spec: &ElementSpec) -> Vec<&'static str
 }
 
 /// The shape that stands in a visual or collision without a geometry around it.
-pub(super) fn bare_shape<'a>(cx: &'a DocumentCx<'_>, id: XId) -> Option<&'a str> {
-    let tree = &cx.expansion.tree;
+pub(super) fn bare_shape(tree: &XTree, id: XId) -> Option<&str> {
     let is_body = matches!(tree.get(id).text.as_str(), "visual" | "collision");
     let is_geometry = |child: XId| tree.get(child).text == "geometry";
     if !is_body || tree.elements(id).any(is_geometry) {

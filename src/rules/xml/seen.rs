@@ -10,6 +10,8 @@ pub struct CheckedElement {
     pub spec: Option<&'static ElementSpec>,
     /// What the schema says about the element around it.
     pub parent: Option<&'static ElementSpec>,
+    /// What the schema says about it, unless it is for other tools.
+    pub known: Option<&'static ElementSpec>,
 }
 
 /// An attribute that holds numbers.

@@ -3,6 +3,7 @@ use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::invalid_number::is_reported;
+use super::seen::CheckedElement;
 use super::walk;
 use base::TextRange;
 use expand::{Origin, XId, XKind};
@@ -16,7 +17,7 @@ pub(in super::super) static RULE: Rule = Rule {
     since: "0.1",
     fix: None,
     docs: page("unexpected-text"),
-    check: Check::Document(check),
+    check: Check::Element(check),
 };
 
 /// Where text is nobody's.
@@ -30,15 +31,20 @@ const PLACES: [&str; 7] = [
     "inertial",
 ];
 
-fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+fn check(
+    cx: &DocumentCx<'_>,
+    &CheckedElement { id, known, .. }: &CheckedElement,
+    out: &mut Sink<'_>,
+) {
     let tree = &cx.expansion.tree;
-    for (id, _) in walk::known(cx).filter(|(_, spec)| PLACES.contains(&spec.name)) {
-        for text in tree.children(id) {
-            let node = tree.get(text);
-            let is_text = matches!(node.kind, XKind::Text | XKind::CData);
-            if is_text && !node.text.trim().is_empty() && !is_reported(cx, node.origin) {
-                report(cx, id, text, out);
-            }
+    if known.is_none_or(|spec| !PLACES.contains(&spec.name)) {
+        return;
+    }
+    for text in tree.children(id) {
+        let node = tree.get(text);
+        let is_text = matches!(node.kind, XKind::Text | XKind::CData);
+        if is_text && !node.text.trim().is_empty() && !is_reported(cx, node.origin) {
+            report(cx, id, text, out);
         }
     }
 }

@@ -7,6 +7,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, pa
 use super::super::schema::{self, ElementSpec};
 use super::super::sink::Sink;
 use super::super::xml::walk::absent;
+use super::seen::CheckedElement;
 use super::{meant, walk};
 use expand::{Origin, XAttr, XId};
 use model::Version;
@@ -21,28 +22,33 @@ pub(in super::super) static RULE: Rule = Rule {
     since: "0.1",
     fix: Some(Safety::Safe),
     docs: page("unknown-attribute"),
-    check: Check::Document(check),
+    check: Check::Element(check),
 };
 
 /// Findings about one element.
 const MOST: usize = 50;
 
-fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for (id, spec) in walk::known(cx) {
-        let attrs = &cx.expansion.tree.get(id).attrs;
-        let unknown: Vec<&XAttr> = attrs
-            .iter()
-            .filter(|attr| spec.attribute(&attr.name).is_none() && !is_admitted(cx, &attr.name))
-            .take(MOST)
-            .collect();
-        let unknown = report_parts(cx, id, spec, unknown, out);
-        if !unknown.is_empty() {
-            let absent = absent(cx, id, spec);
-            let unknown = report_several(cx, id, spec, &absent, unknown, out);
-            unknown
-                .into_iter()
-                .for_each(|attr| report(cx, id, spec, &absent, attr, out));
-        }
+fn check(
+    cx: &DocumentCx<'_>,
+    &CheckedElement { id, known, .. }: &CheckedElement,
+    out: &mut Sink<'_>,
+) {
+    let Some(spec) = known else {
+        return;
+    };
+    let attrs = &cx.expansion.tree.get(id).attrs;
+    let unknown: Vec<&XAttr> = attrs
+        .iter()
+        .filter(|attr| spec.attribute(&attr.name).is_none() && !is_admitted(cx, &attr.name))
+        .take(MOST)
+        .collect();
+    let unknown = report_parts(cx, id, spec, unknown, out);
+    if !unknown.is_empty() {
+        let absent = absent(cx, id, spec);
+        let unknown = report_several(cx, id, spec, &absent, unknown, out);
+        unknown
+            .into_iter()
+            .for_each(|attr| report(cx, id, spec, &absent, attr, out));
     }
 }
 

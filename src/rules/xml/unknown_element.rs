@@ -8,7 +8,7 @@ use super::super::sink::Sink;
 use super::missing_element::bare_shape;
 use super::seen::CheckedElement;
 use super::walk;
-use base::{FastMap, TextRange};
+use base::TextRange;
 use expand::{FileIdx, XId};
 use model::{AttrValue, tag_start};
 
@@ -21,32 +21,39 @@ pub(in super::super) static RULE: Rule = Rule {
     since: "0.1",
     fix: Some(Safety::Safe),
     docs: page("unknown-element"),
-    check: Check::Document(check),
+    check: Check::Element(check),
 };
 
-fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    let mut bare: FastMap<XId, Option<&str>> = FastMap::default();
-    for &CheckedElement { id, spec, parent } in walk::elements(cx) {
-        let (None, Some(parent)) = (spec, parent) else {
-            continue;
-        };
-        let name = cx.expansion.tree.get(id).text.as_str();
-        // shapes have a rule of their own
-        let elsewhere = name.contains(':') || parent.name == "geometry";
-        if elsewhere || is_allowed(cx, name) || walk::lacks_prefix(cx, id) {
-            continue;
-        }
-        let mut bare_around =
-            |around| *bare.entry(around).or_insert_with(|| bare_shape(cx, around));
-        if cx.complete && cx.expansion.tree.parent(id).and_then(&mut bare_around) == Some(name) {
-            continue; // it is said that the geometry is missing
-        }
-        let near = walk::meant(name, parent.children().map(|child| child.name));
-        if cx.kind == RootKind::Library && parent.name == "robot" && near.is_none() {
-            continue; // the file may be meant for the inside of a free zone
-        }
-        report(cx, id, parent, near, out);
+fn check(cx: &DocumentCx<'_>, element: &CheckedElement, out: &mut Sink<'_>) {
+    let &CheckedElement {
+        id, spec, parent, ..
+    } = element;
+    let (None, Some(parent)) = (spec, parent) else {
+        return;
+    };
+    let name = cx.expansion.tree.get(id).text.as_str();
+    // shapes have a rule of their own
+    let elsewhere = name.contains(':') || parent.name == "geometry";
+    if elsewhere || is_allowed(cx, name) || walk::lacks_prefix(cx, id) {
+        return;
     }
+    let around = cx.expansion.tree.parent(id);
+    if cx.complete && around.and_then(|around| bare_shape_once(cx, around)) == Some(name) {
+        return; // it is said that the geometry is missing
+    }
+    let near = walk::meant(name, parent.children().map(|child| child.name));
+    if cx.kind == RootKind::Library && parent.name == "robot" && near.is_none() {
+        return; // the file may be meant for the inside of a free zone
+    }
+    report(cx, id, parent, near, out);
+}
+
+/// The shape without a geometry in an element that may hold many unknown ones.
+fn bare_shape_once<'a>(cx: &DocumentCx<'a>, around: XId) -> Option<&'a str> {
+    let mut known = cx.bare_shapes.borrow_mut();
+    *known
+        .entry(around)
+        .or_insert_with(|| bare_shape(&cx.expansion.tree, around))
 }
 
 fn is_allowed(cx: &DocumentCx<'_>, name: &str) -> bool {

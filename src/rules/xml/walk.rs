@@ -9,51 +9,65 @@ use model::AttrValue;
 use packages::edit_distance;
 use xml::Node;
 
-/// All elements of a robot, or of what a library gives by itself, except what stands inside of unknown
-/// elements and free zones; parents first.
-pub(super) fn elements<'a>(cx: &'a DocumentCx<'_>) -> &'a [CheckedElement] {
-    cx.seen.get_or_init(|| see(cx))
+/// The element that a document is about, as the schema sees it.
+pub(in super::super) fn root_element(cx: &DocumentCx<'_>) -> CheckedElement {
+    let root = cx.expansion.tree.get(cx.element);
+    let is_container = root.kind == XKind::Container;
+    let is_robot = is_container || root.text == schema::robot().name;
+    let spec = Some(schema::robot()).filter(|_| is_robot);
+    CheckedElement {
+        id: cx.element,
+        spec,
+        parent: None,
+        known: spec.filter(|_| !is_container),
+    }
 }
 
-fn see(cx: &DocumentCx<'_>) -> Vec<CheckedElement> {
+/// A child of the root and all elements in it, except what stands inside of unknown elements and free zones; parents first.
+pub(in super::super) fn each_below(
+    cx: &DocumentCx<'_>,
+    root: &CheckedElement,
+    child: XId,
+    mut each: impl FnMut(&CheckedElement),
+) {
     let tree = &cx.expansion.tree;
-    let root = tree.get(cx.element);
-    let is_robot = root.kind == XKind::Container || root.text == schema::robot().name;
-    let mut open = vec![CheckedElement {
-        id: cx.element,
-        spec: Some(schema::robot()).filter(|_| is_robot),
-        parent: None,
-    }];
-    let mut seen = Vec::new();
+    let Some(parent) = root.spec else { return };
+    let mut open = vec![of_root(cx, parent, child)];
     while let Some(element) = open.pop() {
-        if let Some(spec) = element.spec.filter(|spec| !is_free_zone(spec.name)) {
-            let children = tree.elements(element.id).map(|id| {
-                let name = tree.get(id).text.as_str();
-                // a library may be meant for the inside of a link or a joint
-                let anywhere = cx.kind == RootKind::Library && element.parent.is_none();
-                let elsewhere = || schema::urdf_element(name).filter(|_| anywhere);
-                let spec_here = spec.child(name).or_else(elsewhere);
-                (
-                    CheckedElement {
-                        id,
-                        spec: spec_here,
-                        parent: Some(spec),
-                    },
-                    anywhere && is_foreign(cx, id),
-                )
-            });
-            let children = children
-                .filter(|(_, foreign)| !foreign)
-                .map(|(child, _)| child);
+        let Some(element) = element else { continue };
+        each(&element);
+        if let Some(spec) = element.known {
             let start = open.len();
-            open.extend(children);
-            open.get_mut(start..)
-                .into_iter()
-                .for_each(<[CheckedElement]>::reverse);
+            open.extend(
+                tree.elements(element.id)
+                    .map(|id| Some(checked(id, spec, spec.child(&tree.get(id).text)))),
+            );
+            open.get_mut(start..).into_iter().for_each(<[_]>::reverse);
         }
-        seen.push(element);
     }
-    seen
+}
+
+/// A child of the root; none when it is meant for the inside of a free zone.
+fn of_root(cx: &DocumentCx<'_>, root: &'static ElementSpec, id: XId) -> Option<CheckedElement> {
+    let name = cx.expansion.tree.get(id).text.as_str();
+    // a library may be meant for the inside of a link or a joint
+    let anywhere = cx.kind == RootKind::Library;
+    let elsewhere = || schema::urdf_element(name).filter(|_| anywhere);
+    let element = checked(id, root, root.child(name).or_else(elsewhere));
+    (!anywhere || !is_foreign(cx, id)).then_some(element)
+}
+
+fn checked(
+    id: XId,
+    parent: &'static ElementSpec,
+    spec: Option<&'static ElementSpec>,
+) -> CheckedElement {
+    CheckedElement {
+        id,
+        spec,
+        parent: Some(parent),
+        known: spec.filter(|spec| !is_free_zone(spec.name)),
+    }
 }
 
 /// Whether an element of a library is meant for the inside of a free zone: SDF holds text, ros2_control
@@ -73,15 +87,16 @@ fn is_foreign(cx: &DocumentCx<'_>, element: XId) -> bool {
     false
 }
 
-/// Those that the schema knows, without the blocks that are meant for other tools.
-pub(in super::super) fn known(
-    cx: &DocumentCx<'_>,
-) -> impl Iterator<Item = (XId, &'static ElementSpec)> {
-    let known = elements(cx)
-        .iter()
-        .filter_map(|seen| Some((seen.id, seen.spec?)));
-    let tree = &cx.expansion.tree;
-    known.filter(|&(id, spec)| tree.get(id).kind == XKind::Element && !is_free_zone(spec.name))
+/// All elements that the schema knows, without the blocks that are meant for other tools.
+pub(in super::super) fn known(cx: &DocumentCx<'_>) -> Vec<(XId, &'static ElementSpec)> {
+    let root = root_element(cx);
+    let mut found: Vec<_> = root.known.map(|spec| (root.id, spec)).into_iter().collect();
+    for child in cx.expansion.tree.elements(root.id) {
+        each_below(cx, &root, child, |element| {
+            found.extend(element.known.map(|spec| (element.id, spec)));
+        });
+    }
+    found
 }
 
 /// What an element belongs to, for messages: "joint `elbow`".
@@ -177,6 +192,7 @@ fn defined_macros(expansion: &Expansion) -> FastSet<&str> {
 
 /// Whether an element is one that a rule about forgotten `xacro:` speaks about.
 pub(super) fn lacks_prefix(cx: &DocumentCx<'_>, element: XId) -> bool {
+    cx.look_beyond();
     let node = cx.expansion.tree.get(element);
     let name = node.text.as_str();
     macros(cx).contains(name) || is_forgotten_prefix(name) && is_in_xacro(cx.expansion, node.origin)
