@@ -426,11 +426,9 @@ impl AnalysisHost {
             return None;
         }
         self.expansions += 1;
-        let made = RootAnalysis::new(root.clone(), expansion, self.epoch);
-        let made = Arc::new(match before {
-            Some(before) => made.after(before),
-            None => made,
-        });
+        let before = before.map(Arc::as_ref);
+        let made = RootAnalysis::new(root.clone(), expansion, self.epoch, before);
+        let made = Arc::new(made);
         if self.cache.len() >= Self::MOST_CACHED {
             self.cache.clear();
         }
@@ -450,7 +448,7 @@ impl AnalysisHost {
     ) -> Option<Arc<RootAnalysis>> {
         let expansion = run_task::forced(&self.session, cancel, &task_of(root), forced);
         (!cancel.is_cancelled())
-            .then(|| Arc::new(RootAnalysis::new(root.clone(), expansion, self.epoch)))
+            .then(|| Arc::new(RootAnalysis::new(root.clone(), expansion, self.epoch, None)))
     }
 
     /// Expansions to take names from while somebody types in the file at `path`, the newest first. None is made

@@ -24,12 +24,11 @@ pub struct RootAnalysis {
     pub expansion: Expansion,
     /// The robot; none when the root element is not `robot`.
     pub robot: Option<Robot>,
-    /// How its links hang together.
-    pub kinematics: Option<Kinematics>,
     /// What the rules say, once somebody has asked: most questions of an editor are about the robot alone.
     result: OnceLock<RootResult>,
     /// What was settled when it was last checked, in the expansion before.
     before: Arc<Settled>,
+    kinematics: OnceLock<Option<Kinematics>>,
     written: OnceLock<Written>,
     /// The names that it has when it is expanded in other ways.
     pub(super) further: OnceLock<RobotNames>,
@@ -38,29 +37,36 @@ pub struct RootAnalysis {
 }
 
 impl RootAnalysis {
-    /// What an expansion is worth to an editor.
-    pub(super) fn new(root: RootConfig, expansion: Expansion, epoch: u64) -> Self {
-        let robot = Robot::of(&expansion);
-        let kinematics = robot.as_ref().map(Kinematics::of);
+    /// What an expansion is worth to an editor; `before` is that of the expansion before, of which this one may have taken steps
+    /// over.
+    pub(super) fn new(
+        root: RootConfig,
+        expansion: Expansion,
+        epoch: u64,
+        before: Option<&Self>,
+    ) -> Self {
+        let old = before.and_then(|old| Some((&old.expansion, old.robot.as_ref()?)));
+        let robot = Robot::again(&expansion, old);
+        #[cfg(debug_assertions)]
+        verify(robot.as_ref(), Robot::of(&expansion).as_ref());
         let (result, written, further) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
         Self {
             root,
             expansion,
             robot,
-            kinematics,
+            kinematics: OnceLock::new(),
             result,
-            before: Arc::default(),
+            before: before.map(|old| old.settled()).unwrap_or_default(),
             written,
             further,
             epoch,
         }
     }
 
-    /// With what was settled in the expansion before, of which this one took steps over.
-    pub(super) fn after(mut self, before: &Self) -> Self {
-        let settled = before.result.get().map(|result| &result.settled);
-        self.before = Arc::clone(settled.unwrap_or(&before.before));
-        self
+    /// What was settled when it was checked, or before that.
+    fn settled(&self) -> Arc<Settled> {
+        let settled = self.result.get().map(|result| &result.settled);
+        Arc::clone(settled.unwrap_or(&self.before))
     }
 
     /// A root expanded once, for a check.
@@ -69,7 +75,14 @@ impl RootAnalysis {
             root.clone(),
             run_task::expansion(session, &options.cancel, &task_of(root), None),
             0,
+            None,
         )
+    }
+
+    /// How the links of the robot hang together.
+    pub fn kinematics(&self) -> Option<&Kinematics> {
+        let of_robot = || self.robot.as_ref().map(Kinematics::of);
+        self.kinematics.get_or_init(of_robot).as_ref()
     }
 
     /// The expanded document as text, with its map.
@@ -144,6 +157,26 @@ impl RootAnalysis {
     }
 }
 
+/// In builds for tests: what is shared with the robot before is what is read off the expansion.
+#[cfg(debug_assertions)]
+fn verify(made: Option<&Robot>, fresh: Option<&Robot>) {
+    let shown = |robot: &Robot| {
+        let links = robot.links.iter();
+        // numbers are read when they are asked for
+        links
+            .filter_map(|link| link.inertial.as_ref())
+            .for_each(|inertial| {
+                inertial.entries();
+            });
+        format!("{robot:?}")
+    };
+    assert_eq!(
+        made.map(shown),
+        fresh.map(shown),
+        "the robot of an incremental expansion"
+    );
+}
+
 /// The expansion of a root.
 pub(super) fn task_of(root: &RootConfig) -> CheckTask {
     let RootConfig { file, args, preset } = root.clone();
@@ -164,7 +197,7 @@ pub(super) fn run_kept(
         ..request(session, &options.cancel, &task)
     };
     let (expansion, is_as_called) = expanded(session, &task, &kept, None);
-    let analyzed = RootAnalysis::new(task.root(), expansion, 0);
+    let analyzed = RootAnalysis::new(task.root(), expansion, 0, None);
     let robot = analyzed.robot.as_ref();
     let expanded = (&analyzed.expansion, robot);
     let result = run_rules(session, options, task, expanded, &Settled::default());

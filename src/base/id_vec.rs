@@ -93,6 +93,12 @@ impl<I, T> IdVec<I, T> {
         self.list.is_empty()
     }
 
+    /// Make room for so many more elements.
+    #[inline]
+    pub fn reserve(&mut self, more: usize) {
+        self.list.reserve(more);
+    }
+
     /// The element that was added first.
     #[inline]
     pub fn first(&self) -> Option<&T> {

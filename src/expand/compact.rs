@@ -7,6 +7,7 @@ impl XTree {
     /// elements, which nothing shows. What is left lies in document order. Ids change, those in `beside` with them.
     pub(super) fn compact<'i>(&mut self, beside: impl Iterator<Item = &'i mut XId>) {
         let mut kept = XTree::default();
+        kept.reserve(self.len());
         self.take_children(XId::DOCUMENT, XId::DOCUMENT, &mut kept);
         for root in beside {
             let id = self.take_node(*root, &mut kept);

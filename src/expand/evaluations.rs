@@ -49,6 +49,11 @@ impl Evaluations {
         found.filter_map(|&id| self.list.get(id))
     }
 
+    /// Make room for as many as others are.
+    pub(super) fn reserve_like(&mut self, others: &Self) {
+        self.list.reserve(others.len());
+    }
+
     /// Give back the room for more.
     pub(super) fn shrink(&mut self) {
         self.list.shrink_to_fit();

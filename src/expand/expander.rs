@@ -79,6 +79,9 @@ impl<'w> Expander<'w> {
             complete: true,
             ..Expansion::default()
         };
+        if let Some(before) = before {
+            result.reserve_like(before.expansion);
+        }
         result.frames.push(Frame {
             kind: FrameKind::Root,
             name: request.file.as_str().into(),

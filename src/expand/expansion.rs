@@ -98,6 +98,19 @@ pub struct Expansion {
 }
 
 impl Expansion {
+    /// Make room for about as much as another expansion of the same root has.
+    pub(super) fn reserve_like(&mut self, before: &Self) {
+        // blank text is gone from the tree that was kept
+        self.tree.reserve(before.tree.len() + before.tree.len() / 4);
+        self.frames.reserve(before.frames.len());
+        self.index.bindings.reserve(before.index.bindings.len());
+        self.index.reads.reserve(before.index.reads.len());
+        self.index
+            .evaluations
+            .reserve_like(&before.index.evaluations);
+        self.index.symbols.reserve_like(&before.index.symbols);
+    }
+
     /// Give back the room for more of everything: a language server keeps expansions for long.
     pub(super) fn shrink(&mut self) {
         self.tree.shrink();

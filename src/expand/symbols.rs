@@ -133,6 +133,16 @@ impl Symbols {
         self.uses.iter().chain(&self.quiet_uses)
     }
 
+    /// Make room for as many as others are.
+    pub(super) fn reserve_like(&mut self, others: &Self) {
+        self.definitions.reserve(others.definitions.len());
+        self.known.reserve(others.definitions.len());
+        self.uses.reserve(others.uses.len());
+        self.quiet_uses.reserve(others.quiet_uses.len());
+        self.seen
+            .reserve(others.uses.len() + others.quiet_uses.len());
+    }
+
     /// Give back what only serves to add more.
     pub(super) fn shrink(&mut self) {
         (self.known, self.seen) = (FastMap::default(), FastSet::default());

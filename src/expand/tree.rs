@@ -81,10 +81,8 @@ impl Attrs {
     /// The attributes as a model shares them, and the place of one among them.
     pub fn find(&self, name: &str) -> Option<(Arc<[XAttr]>, usize)> {
         let attrs = self.0.as_ref()?;
-        Some((
-            attrs.clone(),
-            attrs.iter().position(|attr| attr.name == name)?,
-        ))
+        let place = attrs.iter().position(|attr| attr.name == name)?;
+        Some((Arc::clone(attrs), place))
     }
 }
 
@@ -174,6 +172,11 @@ impl XTree {
             prev: nil,
             next: nil,
         })
+    }
+
+    /// Make room for so many more nodes.
+    pub(super) fn reserve(&mut self, nodes: usize) {
+        self.nodes.reserve(nodes);
     }
 
     /// Give back the room for more nodes.

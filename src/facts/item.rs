@@ -1,7 +1,8 @@
 //! Reading facts off the tree of an item.
 
-use std::sync::{Arc, LazyLock};
+use std::sync::{Arc, OnceLock};
 
+use super::marks::Marks;
 use super::mentions::site;
 use super::tags::is_keyword;
 use super::{Fact, FactKind, Facts, FactsOf, Site};
@@ -10,23 +11,24 @@ use xml::{Attr, Entities, Item, Node, NodeKind};
 
 /// The facts of an item; read once, kept with it.
 pub fn facts_of(item: &Arc<Item>) -> FactsOf<'_> {
-    /// Most items of a file with a million of them have none.
-    static NONE: LazyLock<Arc<Facts>> = LazyLock::new(|| {
-        Arc::new(Facts {
-            named: Vec::new(),
-            sites: Vec::new().into(),
-        })
-    });
+    /// Most items of a file with a million of them have no names.
+    static NAMELESS: [OnceLock<Arc<Facts>>; Marks::COUNT] =
+        [const { OnceLock::new() }; Marks::COUNT];
     let facts = item.cached(|item| {
-        let named = named(item);
+        let (named, marks) = (named(item), Marks::of(item));
         let is_plain = named.is_empty() && !item.text().contains('$');
-        if is_plain {
-            NONE.clone()
-        } else {
+        let shared = NAMELESS.get(marks.number()).filter(|_| is_plain);
+        let facts = || {
+            let sites = OnceLock::new();
             Arc::new(Facts {
                 named,
-                ..Facts::default()
+                marks,
+                sites,
             })
+        };
+        match shared {
+            Some(shared) => Arc::clone(shared.get_or_init(facts)),
+            None => facts(),
         }
     });
     FactsOf { item, facts }

@@ -4,6 +4,7 @@
 //! looked at again. They know nothing of other files: what a name refers to is the expander's business.
 
 mod item;
+mod marks;
 mod mentions;
 mod tags;
 #[cfg(test)]
@@ -15,6 +16,7 @@ use std::sync::{Arc, OnceLock};
 use ecow::EcoString;
 
 pub use item::facts_of;
+pub use marks::{Marks, ORDINARY_TAGS};
 pub use mentions::{Mention, MentionKind, Site};
 pub use tags::{XACRO_TAGS, XacroAttribute, XacroTag, is_keyword, xacro_tag};
 
@@ -64,6 +66,8 @@ pub struct Fact {
 pub struct Facts {
     /// Named things in document order.
     pub named: Vec<Fact>,
+    /// What it may hold.
+    pub marks: Marks,
     /// Texts with expressions in document order; read when somebody asks, since expressions have to be parsed for it.
     sites: OnceLock<Vec<Site>>,
 }

@@ -4,7 +4,7 @@ use ecow::EcoString;
 
 use super::attr_value::AttrValue;
 use super::pose::Pose;
-use super::source::child;
+use super::source::first_children;
 use super::version::Version;
 use expand::{XId, XTree};
 
@@ -190,24 +190,34 @@ impl SafetyController {
 
 impl Joint {
     pub(super) fn of(tree: &XTree, element: XId) -> Self {
-        // urdfdom reads the first element of each name
+        const NAMES: [&str; 8] = [
+            "parent",
+            "child",
+            "origin",
+            "axis",
+            "limit",
+            "dynamics",
+            "mimic",
+            "safety_controller",
+        ];
+        let [parent, child, origin, axis, limit, dynamics, mimic, safety] =
+            first_children(tree, element, NAMES);
+        let end = |end: Option<XId>| AttrValue::attr(tree, end?, "link");
         Self {
             element,
             name: AttrValue::attr(tree, element, "name"),
             kind: AttrValue::attr(tree, element, "type"),
-            parent: end(tree, element, "parent"),
-            child: end(tree, element, "child"),
-            origin: child(tree, element, "origin").map(|origin| Pose::of(tree, origin)),
-            axis: child(tree, element, "axis").map(|axis| Axis {
+            parent: end(parent),
+            child: end(child),
+            origin: origin.map(|origin| Pose::of(tree, origin)),
+            axis: axis.map(|axis| Axis {
                 element: axis,
                 xyz: AttrValue::attr(tree, axis, "xyz"),
             }),
-            limit: child(tree, element, "limit").map(|limit| Limit::of(tree, limit)),
-            dynamics: child(tree, element, "dynamics")
-                .map(|dynamics| Box::new(Dynamics::of(tree, dynamics))),
-            mimic: child(tree, element, "mimic").map(|mimic| Box::new(Mimic::of(tree, mimic))),
-            safety: child(tree, element, "safety_controller")
-                .map(|safety| Box::new(SafetyController::of(tree, safety))),
+            limit: limit.map(|limit| Limit::of(tree, limit)),
+            dynamics: dynamics.map(|dynamics| Box::new(Dynamics::of(tree, dynamics))),
+            mimic: mimic.map(|mimic| Box::new(Mimic::of(tree, mimic))),
+            safety: safety.map(|safety| Box::new(SafetyController::of(tree, safety))),
         }
     }
 
@@ -241,9 +251,4 @@ impl Joint {
         let text = self.axis.as_ref().and_then(|axis| axis.xyz.as_ref());
         text.map_or(Some([1.0, 0.0, 0.0]), AttrValue::numbers)
     }
-}
-
-/// The link that the `parent` or `child` element of a joint names.
-fn end(tree: &XTree, joint: XId, name: &str) -> Option<AttrValue> {
-    AttrValue::attr(tree, child(tree, joint, name)?, "link")
 }

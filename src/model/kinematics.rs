@@ -13,6 +13,8 @@ use base::{FastMap, FastSet};
 pub struct Kinematics {
     /// Index into [`Robot::links`] by name.
     links: FastMap<EcoString, usize>,
+    /// For each link, whether it is the one that counts of its name.
+    counts: Vec<bool>,
     /// For each link, the joints whose parent it is: indices into [`Robot::joints`], ordered by joint name.
     child_joints: Vec<Vec<usize>>,
     /// For each link, the joints whose child it is, in document order.
@@ -25,9 +27,11 @@ impl Kinematics {
     /// The graph of a robot.
     pub fn of(robot: &Robot) -> Self {
         let mut links = FastMap::default();
-        for (i, link) in robot.links.iter().enumerate() {
+        links.reserve(robot.links.len());
+        let mut counts = vec![false; robot.links.len()];
+        for ((i, link), counts) in robot.links.iter().enumerate().zip(&mut counts) {
             if let Some(name) = link.name.as_ref().and_then(|name| name.name()) {
-                links.entry(name.clone()).or_insert(i);
+                *counts = *links.entry(name.clone()).or_insert(i) == i;
             }
         }
         let mut child_joints = vec![Vec::new(); robot.links.len()];
@@ -50,7 +54,7 @@ impl Kinematics {
             ends.push(pair);
         }
         // urdfdom keeps joints in a map by name and hangs children up in its order
-        for joints in &mut child_joints {
+        for joints in child_joints.iter_mut().filter(|joints| joints.len() > 1) {
             joints.sort_by_key(|&joint: &usize| {
                 robot
                     .joints
@@ -60,6 +64,7 @@ impl Kinematics {
         }
         Self {
             links,
+            counts,
             child_joints,
             parent_joints,
             ends,
@@ -132,23 +137,17 @@ impl Kinematics {
     /// The links that are no child of any joint, in document order; links of a name that an earlier link has
     /// are left out.
     pub fn roots(&self, robot: &Robot) -> Vec<usize> {
-        let first = |&link: &usize| {
-            let name = robot
-                .links
-                .get(link)
-                .and_then(|link| link.name.as_ref()?.name());
-            name.is_some_and(|name| self.link(name) == Some(link))
-        };
         // a joint whose parent does not exist still says that its child is no root
-        let held: FastSet<usize> = robot
-            .joints
-            .iter()
-            .filter_map(|joint| self.link(joint.child.as_ref()?.name()?))
+        let alone = robot.joints.iter().zip(&self.ends);
+        let alone = alone.filter(|(_, ends)| ends.is_none());
+        let held: FastSet<usize> = alone
+            .filter_map(|(joint, _)| self.link(joint.child.as_ref()?.name()?))
             .collect();
-        (0..robot.links.len())
-            .filter(first)
-            .filter(|link| !held.contains(link))
-            .collect()
+        let is_root = |&(link, &counts): &(usize, &bool)| {
+            counts && self.parent_joints(link).is_empty() && !held.contains(&link)
+        };
+        let roots = self.counts.iter().enumerate().filter(is_root);
+        roots.map(|(link, _)| link).collect()
     }
 
     /// The cycles that joints make, each as the joints along it from parent to child; a joint from a link to

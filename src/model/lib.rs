@@ -5,12 +5,14 @@ mod blocks;
 mod canonical;
 mod difference;
 mod joint;
+mod kept;
 mod kinematics;
 mod link;
 mod mesh;
 mod pose;
 mod renamed;
 mod robot;
+mod shared_list;
 mod source;
 #[cfg(test)]
 mod tests;
@@ -30,5 +32,6 @@ pub use mesh::{
 pub use pose::{Pose, transform};
 pub use renamed::other_difference;
 pub use robot::Robot;
+pub use shared_list::{SharedIter, SharedList};
 pub use source::{attr_range, element_range, source_has_elements, source_mentions, tag_start};
 pub use version::Version;

@@ -4,7 +4,7 @@ use std::sync::OnceLock;
 
 use super::attr_value::AttrValue;
 use super::pose::Pose;
-use super::source::{child, children};
+use super::source::first_children;
 use expand::{XId, XTree};
 
 /// A `link` of the robot.
@@ -46,11 +46,11 @@ impl Inertial {
     pub const ENTRIES: [&'static str; 6] = ["ixx", "ixy", "ixz", "iyy", "iyz", "izz"];
 
     fn of(tree: &XTree, element: XId) -> Self {
-        let mass_element = child(tree, element, "mass");
-        let inertia_element = child(tree, element, "inertia");
+        let [origin, mass_element, inertia_element] =
+            first_children(tree, element, ["origin", "mass", "inertia"]);
         Self {
             element,
-            origin: child(tree, element, "origin").map(|origin| Pose::of(tree, origin)),
+            origin: origin.map(|origin| Pose::of(tree, origin)),
             mass_element,
             mass: mass_element.and_then(|mass| AttrValue::attr(tree, mass, "value")),
             inertia_element,
@@ -93,21 +93,15 @@ pub struct Body {
 
 impl Body {
     fn of(tree: &XTree, element: XId) -> Self {
+        let [origin, geometry, material] =
+            first_children(tree, element, ["origin", "geometry", "material"]);
         Self {
             element,
             name: AttrValue::attr(tree, element, "name"),
-            origin: child(tree, element, "origin").map(|origin| Pose::of(tree, origin)),
-            geometry: child(tree, element, "geometry").map(|geometry| Geometry::of(tree, geometry)),
-            material: child(tree, element, "material")
-                .map(|material| Box::new(Material::of(tree, material))),
+            origin: origin.map(|origin| Pose::of(tree, origin)),
+            geometry: geometry.map(|geometry| Geometry::of(tree, geometry)),
+            material: material.map(|material| Box::new(Material::of(tree, material))),
         }
-    }
-
-    /// The bodies of a link whose elements have the name `tag`.
-    fn all(tree: &XTree, link: XId, tag: &str) -> Vec<Self> {
-        children(tree, link, tag)
-            .map(|body| Self::of(tree, body))
-            .collect()
     }
 
     /// The shape that parsers take: the first one.
@@ -230,10 +224,7 @@ pub struct Material {
 
 impl Material {
     pub(super) fn of(tree: &XTree, element: XId) -> Self {
-        let (color, texture) = (
-            child(tree, element, "color"),
-            child(tree, element, "texture"),
-        );
+        let [color, texture] = first_children(tree, element, ["color", "texture"]);
         Self {
             element,
             name: AttrValue::attr(tree, element, "name"),
@@ -247,12 +238,23 @@ impl Material {
 
 impl Link {
     pub(super) fn of(tree: &XTree, element: XId) -> Self {
+        let (mut inertial, mut visuals, mut collisions) = (None, Vec::new(), Vec::new());
+        for child in tree.elements(element) {
+            match tree.get(child).text.as_str() {
+                "inertial" => {
+                    inertial.get_or_insert_with(|| Inertial::of(tree, child));
+                }
+                "visual" => visuals.push(Body::of(tree, child)),
+                "collision" => collisions.push(Body::of(tree, child)),
+                _ => {}
+            }
+        }
         Self {
             element,
             name: AttrValue::attr(tree, element, "name"),
-            inertial: child(tree, element, "inertial").map(|inertial| Inertial::of(tree, inertial)),
-            visuals: Body::all(tree, element, "visual"),
-            collisions: Body::all(tree, element, "collision"),
+            inertial,
+            visuals,
+            collisions,
         }
     }
 

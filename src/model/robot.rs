@@ -1,9 +1,12 @@
 //! The robot of an expanded document.
+use std::sync::Arc;
 
 use super::attr_value::AttrValue;
 use super::blocks::{Gazebo, Ros2Control, Transmission};
 use super::joint::{Joint, JointType};
+use super::kept::Kept;
 use super::link::{Link, Material};
+use super::shared_list::SharedList;
 use expand::{Expansion, XId, XTree};
 
 /// What an expanded document says about a robot; everything in document order.
@@ -14,9 +17,9 @@ pub struct Robot {
     /// Its `name`.
     pub name: Option<AttrValue>,
     /// Its links.
-    pub links: Vec<Link>,
+    pub links: SharedList<Link>,
     /// Its joints.
-    pub joints: Vec<Joint>,
+    pub joints: SharedList<Joint>,
     /// The materials that are children of the root.
     pub materials: Vec<Material>,
     /// Its `gazebo` elements.
@@ -30,18 +33,28 @@ pub struct Robot {
 impl Robot {
     /// The robot of an expansion; none when the root element is something else.
     pub fn of(expansion: &Expansion) -> Option<Self> {
+        Self::again(expansion, None)
+    }
+
+    /// The same after an edit: links and joints are shared with the robot of the expansion `before` where that was taken over.
+    pub fn again(expansion: &Expansion, before: Option<(&Expansion, &Self)>) -> Option<Self> {
         let tree = &expansion.tree;
         let element = tree.root().filter(|&root| tree.get(root).text == "robot")?;
-        Some(Self::below(tree, element))
+        let kept = before.and_then(|(before, robot)| Kept::of(expansion, before, robot));
+        Some(Self::read(tree, element, kept))
     }
 
     /// The parts of a robot among the children of `element`.
     pub fn below(tree: &XTree, element: XId) -> Self {
+        Self::read(tree, element, None)
+    }
+
+    fn read(tree: &XTree, element: XId, mut kept: Option<Kept<'_>>) -> Self {
         let mut robot = Self {
             element,
             name: AttrValue::attr(tree, element, "name"),
-            links: Vec::new(),
-            joints: Vec::new(),
+            links: SharedList::default(),
+            joints: SharedList::default(),
             materials: Vec::new(),
             gazebo: Vec::new(),
             controls: Vec::new(),
@@ -49,8 +62,16 @@ impl Robot {
         };
         for child in tree.elements(element) {
             match tree.get(child).text.as_str() {
-                "link" => robot.links.push(Link::of(tree, child)),
-                "joint" => robot.joints.push(Joint::of(tree, child)),
+                "link" => {
+                    let same = kept.as_mut().and_then(|kept| kept.link(child));
+                    let link = same.unwrap_or_else(|| Arc::new(Link::of(tree, child)));
+                    robot.links.push(link);
+                }
+                "joint" => {
+                    let same = kept.as_mut().and_then(|kept| kept.joint(child));
+                    let joint = same.unwrap_or_else(|| Arc::new(Joint::of(tree, child)));
+                    robot.joints.push(joint);
+                }
                 "material" => robot.materials.push(Material::of(tree, child)),
                 "gazebo" => robot.gazebo.push(Gazebo::of(tree, child)),
                 "ros2_control" => robot.controls.push(Ros2Control::of(tree, child)),

@@ -68,6 +68,23 @@ pub(super) fn child(tree: &XTree, element: XId, name: &str) -> Option<XId> {
     tree.elements(element).find(|&id| tree.get(id).text == name)
 }
 
+/// The first child element of each name; urdfdom reads no others.
+pub(super) fn first_children<const N: usize>(
+    tree: &XTree,
+    element: XId,
+    names: [&str; N],
+) -> [Option<XId>; N] {
+    let mut found = [None; N];
+    for id in tree.elements(element) {
+        let name = tree.get(id).text.as_str();
+        let place = names.iter().position(|wanted| *wanted == name);
+        if let Some(slot) = place.and_then(|place| found.get_mut(place)) {
+            slot.get_or_insert(id);
+        }
+    }
+    found
+}
+
 /// The child elements of a name.
 pub(super) fn children<'a>(
     tree: &'a XTree,

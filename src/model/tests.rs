@@ -63,8 +63,17 @@ fn links_and_joints_with_their_values() {
         .map(|link| link.name.as_ref().map(|name| name.value.as_str()))
         .collect();
     assert_eq!(names, [Some("left_arm"), None]);
-    assert!(!robot.links[0].name.as_ref().unwrap().is_literal());
-    let joint = &robot.joints[0];
+    assert!(
+        !robot
+            .links
+            .get(0)
+            .unwrap()
+            .name
+            .as_ref()
+            .unwrap()
+            .is_literal()
+    );
+    let joint = &robot.joints.get(0).unwrap();
     assert_eq!(joint.kind.as_ref().unwrap().value, "fixed");
     assert_eq!(
         joint
@@ -78,14 +87,24 @@ fn links_and_joints_with_their_values() {
 fn unknown_names_are_no_names() {
     let (_, robot) = robot("<link name='${oops}'/>");
     assert!(!robot.names_are_known());
-    assert_eq!(robot.links[0].name.as_ref().unwrap().name(), None);
+    assert_eq!(
+        robot.links.get(0).unwrap().name.as_ref().unwrap().name(),
+        None
+    );
 }
 
 #[test]
 fn names_may_be_what_their_known_part_fits() {
     let may = |name: &str, wanted: &str| {
         let (_, robot) = robot(&format!("<link name='{name}'/>"));
-        robot.links[0].name.as_ref().unwrap().may_be(wanted)
+        robot
+            .links
+            .get(0)
+            .unwrap()
+            .name
+            .as_ref()
+            .unwrap()
+            .may_be(wanted)
     };
     for (name, fits, does_not) in [
         ("${oops}", "gone", ""),
@@ -125,7 +144,7 @@ fn children_are_ordered_by_joint_name() {
     let names: Vec<_> = kinematics
         .child_joints(0)
         .iter()
-        .map(|&joint| robot.joints[joint].shown())
+        .map(|&joint| robot.joints.get(joint).unwrap().shown())
         .collect();
     assert_eq!(names, ["J", "j10", "j3"]);
     assert_eq!(kinematics.roots(&robot), [0]);
@@ -154,7 +173,7 @@ fn paths_go_up_and_down_and_end_in_circles() {
     let link = |name| kinematics.link(name).unwrap();
     let names = |path: Vec<usize>| {
         path.into_iter()
-            .map(|i| robot.joints[i].shown())
+            .map(|i| robot.joints.get(i).unwrap().shown())
             .collect::<String>()
     };
     assert_eq!(names(kinematics.ancestor_joints(link("b")).collect()), "yx");
@@ -209,7 +228,7 @@ fn a_long_chain_needs_no_stack() {
 fn tags_begin_in_the_source() {
     let (expansion, robot) = robot("\n  <link\n name='a'/>");
     let place = expansion
-        .place(tag_start(&expansion, robot.links[0].element))
+        .place(tag_start(&expansion, robot.links.get(0).unwrap().element))
         .unwrap();
     assert_eq!(
         expansion
@@ -260,7 +279,7 @@ fn quaternions_count_from_version_1_1_on() {
     ];
     for (version, origin, expected) in table {
         let robot = versioned(version, origin);
-        let pose = robot.joints[0].origin.as_ref().unwrap();
+        let pose = robot.joints.get(0).unwrap().origin.as_ref().unwrap();
         let near = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-12);
         let found = pose.angles();
         let is_same = found
@@ -279,10 +298,10 @@ fn quaternions_count_from_version_1_1_on() {
 fn capsules_and_the_limits_of_version_1_2() {
     for (version, expected) in [("", [false; 3]), (" version='1.2'", [true, false, true])] {
         let robot = versioned(version, "");
-        let limit = robot.joints[0].limit.as_ref().unwrap();
+        let limit = robot.joints.get(0).unwrap().limit.as_ref().unwrap();
         assert_eq!(limit.dynamic.each_ref().map(Option::is_some), expected);
         let ShapeKind::Capsule { radius, length } =
-            &robot.links[0].visuals[0].shape().unwrap().kind
+            &robot.links.get(0).unwrap().visuals[0].shape().unwrap().kind
         else {
             panic!("no capsule");
         };

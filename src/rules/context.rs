@@ -2,6 +2,7 @@
 use std::cell::{Cell, OnceCell, RefCell};
 use std::ops::Range;
 use std::path::Path;
+use std::sync::Arc;
 
 use super::consumers::Met;
 use super::frames::Distances;
@@ -10,11 +11,12 @@ use super::package::{Manifests, PackageMention};
 use super::xacro::MentionedWords;
 use base::{FastMap, FastSet};
 use expand::{Expansion, FileIdx, Problem, StepKey, XId};
-use model::{AttrValue, Joint, Kinematics, Link, Meshes, Robot, Version};
+use facts::{Marks, facts_of, is_keyword};
+use model::{AttrValue, Joint, Kinematics, Link, Meshes, Robot, SharedList, Version};
 use packages::Packages;
 use vfs::{SourceFile, Vfs};
 use workspace::config::Config;
-use xml::{Attr, Document, Node, NodeKind};
+use xml::{Attr, Document, Item, Node, NodeKind};
 
 /// What an expanded file is taken for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,15 +37,15 @@ pub struct FileCx<'a> {
     pub file: FileIdx,
     /// The file.
     pub source: &'a SourceFile,
-    /// The macros that the files of the expansion define or call.
-    pub macros: &'a FastSet<&'a str>,
+    /// The macros that the files of the expansion define or call, once a rule has asked.
+    pub(super) macros: &'a OnceCell<FastSet<&'a str>>,
     /// What lies around it.
     pub world: RuleEnv<'a>,
     /// The packages that it names, once a rule has asked.
     pub(super) packages: OnceCell<Vec<PackageMention>>,
 }
 
-impl FileCx<'_> {
+impl<'a> FileCx<'a> {
     /// Whether the file is taken for plain URDF, which parsers that know no xacro read: by its name, and because
     /// nothing includes it.
     pub fn is_plain_urdf(&self) -> bool {
@@ -53,6 +55,16 @@ impl FileCx<'_> {
     /// All elements but the root, each with the offset its ranges count from.
     pub fn elements(&self) -> impl Iterator<Item = (u32, Node<'_>)> {
         elements(&self.source.document)
+    }
+
+    /// The same of the items that hold others than [`facts::ORDINARY_TAGS`] and tags of xacro.
+    pub(super) fn other_elements(&self) -> impl Iterator<Item = (u32, Node<'_>)> {
+        other_elements(&self.source.document)
+    }
+
+    /// The macros that the files of the expansion define or call.
+    pub(super) fn macros(&self) -> &'a FastSet<&'a str> {
+        self.macros.get_or_init(|| named_macros(self.expansion))
     }
 
     /// The attributes of the root element; their ranges are absolute.
@@ -76,9 +88,47 @@ pub fn is_plain_urdf(path: &Path) -> bool {
 
 /// The elements of a document but its root, with the offset their ranges count from.
 pub(super) fn elements(document: &Document) -> impl Iterator<Item = (u32, Node<'_>)> {
+    document.parts().skip(1).flat_map(elements_of)
+}
+
+/// The elements of the items that may hold something, with the offset their ranges count from.
+pub(super) fn elements_where(
+    document: &Document,
+    may: impl Fn(Marks) -> bool,
+) -> impl Iterator<Item = (u32, Node<'_>)> {
     let parts = document.parts().skip(1);
-    let nodes = parts.flat_map(|(base, item)| item.all_nodes().map(move |node| (base, node)));
+    parts
+        .filter(move |(_, item)| may(facts_of(item).marks))
+        .flat_map(elements_of)
+}
+
+/// The elements of the items that hold others than [`facts::ORDINARY_TAGS`] and tags of xacro.
+pub(super) fn other_elements(document: &Document) -> impl Iterator<Item = (u32, Node<'_>)> {
+    elements_where(document, |marks| marks.other_tag)
+}
+
+fn elements_of<'a>((base, item): (u32, &'a Arc<Item>)) -> impl Iterator<Item = (u32, Node<'a>)> {
+    let nodes = item.all_nodes().map(move |node| (base, node));
     nodes.filter(|(_, node)| node.kind() == NodeKind::Element)
+}
+
+/// The macros that the files of an expansion define somewhere, and those that they call: the file that defines them may
+/// be missing.
+pub(super) fn named_macros(expansion: &Expansion) -> FastSet<&str> {
+    let items = expansion
+        .files
+        .iter()
+        .flat_map(|file| file.source.document.parts());
+    let tags = items.flat_map(|(_, item)| item.all_nodes());
+    tags.filter_map(macro_name).collect()
+}
+
+/// The macro that a tag defines or calls.
+fn macro_name(node: Node<'_>) -> Option<&str> {
+    match node.name().strip_prefix("xacro:")? {
+        "macro" => Some(node.attr("name")?.raw().trim_start_matches("xacro:")),
+        tag => (!is_keyword(tag)).then_some(tag),
+    }
 }
 
 /// Whether all elements of an expansion are there.
@@ -111,6 +161,8 @@ pub struct DocumentCx<'a> {
     pub(super) bare_shapes: RefCell<FastMap<XId, Option<&'a str>>>,
     /// What consumers may reject or change, once a rule has asked.
     pub(super) constructs: OnceCell<Vec<Met>>,
+    /// For each definition whether something uses it, once a rule has asked.
+    pub(super) used: OnceCell<Vec<bool>>,
     /// The macros that the files define, once a rule has asked.
     pub(super) macros: OnceCell<FastSet<&'a str>>,
     all: AllElements<'a>,
@@ -160,6 +212,7 @@ impl<'a> DocumentCx<'a> {
             mentions: OnceCell::new(),
             bare_shapes: RefCell::default(),
             constructs: OnceCell::new(),
+            used: OnceCell::new(),
             macros: OnceCell::new(),
             all: AllElements::default(),
             looked_beyond: Cell::new(false),
@@ -241,9 +294,10 @@ impl<'a> DocumentCx<'a> {
     }
 
     /// The links of the document.
-    pub fn links(&self) -> &[Link] {
+    pub fn links(&self) -> &'a SharedList<Link> {
+        static NONE: SharedList<Link> = SharedList::new();
         self.look_beyond();
-        self.robot.map_or(&[], |robot| &robot.links)
+        self.robot.map_or(&NONE, |robot| &robot.links)
     }
 
     /// Whether the document is a model that never moves, such as a hall, whose measures are not those of robots.
@@ -264,9 +318,10 @@ impl<'a> DocumentCx<'a> {
     }
 
     /// The joints of the document.
-    pub fn joints(&self) -> &[Joint] {
+    pub fn joints(&self) -> &'a SharedList<Joint> {
+        static NONE: SharedList<Joint> = SharedList::new();
         self.look_beyond();
-        self.robot.map_or(&[], |robot| &robot.joints)
+        self.robot.map_or(&NONE, |robot| &robot.joints)
     }
 
     /// Whether the robot is written in an older version of URDF; false where another file says which.

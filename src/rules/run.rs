@@ -5,7 +5,10 @@ use std::cell::OnceCell;
 use ecow::EcoString;
 
 use super::consumers::{Tally, tally};
-use super::context::{DocumentCx, FileCx, RobotCx, RootKind, RuleEnv, elements, is_whole};
+use super::context::{
+    DocumentCx, FileCx, RobotCx, RootKind, RuleEnv, elements, is_whole, named_macros,
+    other_elements,
+};
 use super::finding::Finding;
 use super::package::warn_once;
 use super::problems;
@@ -18,10 +21,8 @@ use super::vocabulary::{is_urdf_element, is_xacro_uri, outside_free_zones};
 use super::xacro::is_unprefixed;
 use base::{CancelFlag, FastSet, FileId, Span, TextRange};
 use expand::{Expansion, FileUse, Problem, ProblemKind};
-use facts::is_keyword;
 use model::{Kinematics, Robot};
 use vfs::Vfs;
-use xml::Node;
 
 /// Whether a rule does not run on a robot that errors left out a part of.
 pub fn needs_whole(rule: &Rule) -> bool {
@@ -249,7 +250,7 @@ pub fn check_files(expansion: &Expansion, world: RuleEnv<'_>, chosen: Chosen<'_>
         return Vec::new();
     };
     let mut sink = Sink::new(expansion, first);
-    let macros = named_macros(expansion);
+    let macros = OnceCell::new();
     for (file, used) in expansion.files.iter_ids() {
         let packages = OnceCell::new();
         let cx = FileCx {
@@ -267,25 +268,6 @@ pub fn check_files(expansion: &Expansion, world: RuleEnv<'_>, chosen: Chosen<'_>
         });
     }
     sink.finish()
-}
-
-/// The macros that the files of an expansion define somewhere, and those that they call: the file that defines them may
-/// be missing.
-fn named_macros(expansion: &Expansion) -> FastSet<&str> {
-    let items = expansion
-        .files
-        .iter()
-        .flat_map(|file| file.source.document.parts());
-    let tags = items.flat_map(|(_, item)| item.all_nodes());
-    tags.filter_map(macro_name).collect()
-}
-
-/// The macro that a tag defines or calls.
-fn macro_name(node: Node<'_>) -> Option<&str> {
-    match node.name().strip_prefix("xacro:")? {
-        "macro" => Some(node.attr("name")?.raw().trim_start_matches("xacro:")),
-        tag => (!is_keyword(tag)).then_some(tag),
-    }
 }
 
 impl Chosen<'_> {
@@ -323,7 +305,7 @@ impl Unprefixed {
         };
         for file in &expansion.files {
             let document = &file.source.document;
-            let elements = outside_free_zones(elements(document)).map(|(_, node)| node);
+            let elements = outside_free_zones(other_elements(document)).map(|(_, node)| node);
             for node in elements.filter(|&node| is_unprefixed(expansion, document, node)) {
                 found.structure |= node.name() != "property" && node.name() != "arg";
                 found
@@ -381,7 +363,7 @@ fn lacks_calls(expansion: &Expansion) -> bool {
 fn unknown_tags(expansion: &Expansion) -> impl Iterator<Item = &str> {
     let documents = expansion.files.iter().map(|file| &file.source.document);
     documents
-        .flat_map(|document| outside_free_zones(elements(document)))
+        .flat_map(|document| outside_free_zones(other_elements(document)))
         .map(|(_, node)| node.name())
         .filter(|name| !name.contains(':') && !is_urdf_element(name))
 }

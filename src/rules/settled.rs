@@ -11,7 +11,21 @@ use model::Version;
 #[derive(Clone, Debug, Default)]
 pub struct Settled {
     basis: Option<Basis>,
-    steps: FastSet<StepKey>,
+    texts: FastSet<StepKey>,
+    shapes: FastSet<StepKey>,
+}
+
+/// What rules about single elements look at: whatever of a step is settled, the other may not be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum About {
+    /// What the element says.
+    Texts,
+    /// The shape of a link, which may be in a file.
+    Shapes,
+}
+
+impl About {
+    pub(super) const ALL: [Self; 2] = [Self::Texts, Self::Shapes];
 }
 
 /// What rules about single elements may ask of the whole document without being asked again.
@@ -40,7 +54,7 @@ impl Settled {
     pub(super) fn on(basis: Basis) -> Self {
         Self {
             basis: Some(basis),
-            steps: FastSet::default(),
+            ..Self::default()
         }
     }
 
@@ -49,21 +63,22 @@ impl Settled {
         self.basis == other.basis
     }
 
-    pub(super) fn holds(&self, step: &StepKey) -> bool {
-        self.steps.contains(step)
+    pub(super) fn holds(&self, about: About, step: &StepKey) -> bool {
+        match about {
+            About::Texts => self.texts.contains(step),
+            About::Shapes => self.shapes.contains(step),
+        }
     }
 
-    pub(super) fn add(&mut self, step: StepKey) {
-        self.steps.insert(step);
+    pub(super) fn add(&mut self, about: About, step: StepKey) {
+        match about {
+            About::Texts => self.texts.insert(step),
+            About::Shapes => self.shapes.insert(step),
+        };
     }
 
-    /// How many steps there are.
-    pub fn len(&self) -> usize {
-        self.steps.len()
-    }
-
-    /// Whether there is no step.
+    /// Whether nothing is settled.
     pub fn is_empty(&self) -> bool {
-        self.steps.is_empty()
+        self.texts.is_empty() && self.shapes.is_empty()
     }
 }

@@ -4,11 +4,11 @@ use super::context::DocumentCx;
 use super::frames::{self, ElementPose};
 use super::rule::{Check, Rule};
 use super::run::Chosen;
-use super::settled::{Basis, Settled};
+use super::settled::{About, Basis, Settled};
 use super::sink::Sink;
 use super::xml::{self, CheckedElement, Numeric};
 use expand::XId;
-use model::{Joint, Link};
+use model::{Joint, Link, SharedIter};
 
 /// A rule with what it does.
 type Asked<F> = Vec<(&'static Rule, F)>;
@@ -19,6 +19,7 @@ pub(super) struct Visitors {
     elements: Asked<fn(&DocumentCx<'_>, &CheckedElement, &mut Sink<'_>)>,
     numbers: Asked<fn(&DocumentCx<'_>, &Numeric, &mut Sink<'_>)>,
     links: Asked<fn(&DocumentCx<'_>, &Link, &mut Sink<'_>)>,
+    bodies: Asked<fn(&DocumentCx<'_>, &Link, &mut Sink<'_>)>,
     joints: Asked<fn(&DocumentCx<'_>, &Joint, &mut Sink<'_>)>,
     poses: Asked<fn(&DocumentCx<'_>, &ElementPose<'_>, &mut Sink<'_>)>,
 }
@@ -33,6 +34,7 @@ impl Visitors {
                 Check::WholeElement(check) if complete => visitors.elements.push((rule, check)),
                 Check::Number(check) => visitors.numbers.push((rule, check)),
                 Check::Link(check) => visitors.links.push((rule, check)),
+                Check::Body(check) => visitors.bodies.push((rule, check)),
                 Check::Joint(check) => visitors.joints.push((rule, check)),
                 Check::Pose(check) => visitors.poses.push((rule, check)),
                 _ => {}
@@ -49,43 +51,57 @@ impl Visitors {
         before: &Settled,
         sink: &mut Sink<'_>,
     ) -> Settled {
-        let basis = Basis::of(cx, chosen.rules);
-        let mut settled = Settled::on(basis);
-        let known = before.rests_on(&settled);
+        let mut settled = Settled::on(Basis::of(cx, chosen.rules));
+        let is_same = before.rests_on(&settled);
         let root = xml::root_element(cx);
         self.ask_element(cx, &root, sink);
         let mut children = Children::of(cx);
-        for (step, elements) in cx.steps() {
-            children.run_until(Some(elements.start), |child| {
-                self.ask(cx, &root, child, sink)
-            });
-            if known && before.holds(&step) {
-                children.run_until(Some(elements.end), |_| {});
-                settled.add(step);
-                continue;
+        let ask_all = |child: Child<'_>, sink: &mut Sink<'_>| {
+            for about in About::ALL {
+                self.ask(about, cx, &root, child, sink);
             }
-            let found = sink.reported();
-            cx.start_watch();
-            children.run_until(Some(elements.end), |child| self.ask(cx, &root, child, sink));
-            if !cx.looked_beyond() && sink.reported() == found {
-                settled.add(step);
+        };
+        for (step, elements) in cx.steps() {
+            children.run_until(Some(elements.start), |child| ask_all(child, sink));
+            let mut asked = About::ALL.map(|about| Asking {
+                about,
+                is_known: is_same && before.holds(about, &step),
+                is_settled: true,
+            });
+            children.run_until(Some(elements.end), |child| {
+                for asking in asked.iter_mut().filter(|asking| !asking.is_known) {
+                    let found = sink.reported();
+                    cx.start_watch();
+                    self.ask(asking.about, cx, &root, child, sink);
+                    asking.is_settled &= !cx.looked_beyond() && sink.reported() == found;
+                }
+            });
+            for asking in asked.into_iter().filter(|asking| asking.is_settled) {
+                settled.add(asking.about, step.clone());
             }
             if chosen.cancel.is_cancelled() {
                 return settled;
             }
         }
-        children.run_until(None, |child| self.ask(cx, &root, child, sink));
+        children.run_until(None, |child| ask_all(child, sink));
         settled
     }
 
     /// Ask about a child of the root and all that is in it.
     fn ask(
         &self,
+        about: About,
         cx: &DocumentCx<'_>,
         root: &CheckedElement,
         child: Child<'_>,
         sink: &mut Sink<'_>,
     ) {
+        if about == About::Shapes {
+            if let Some(link) = child.link {
+                each(&self.bodies, sink, |check, sink| check(cx, link, sink));
+            }
+            return;
+        }
         xml::each_below(cx, root, child.id, |element| {
             self.ask_element(cx, element, sink);
         });
@@ -128,6 +144,15 @@ fn each<F: Copy>(asked: &Asked<F>, sink: &mut Sink<'_>, mut ask: impl FnMut(F, &
     }
 }
 
+/// What is asked about a step.
+struct Asking {
+    about: About,
+    /// Whether it was settled before.
+    is_known: bool,
+    /// Whether it is now.
+    is_settled: bool,
+}
+
 /// A child of the root, and what it is to the robot.
 #[derive(Clone, Copy)]
 struct Child<'a> {
@@ -139,19 +164,16 @@ struct Child<'a> {
 /// The children of the root that are left, in document order, which is that of the links and joints of the robot.
 struct Children<'a, I: Iterator<Item = XId>> {
     ids: std::iter::Peekable<I>,
-    links: std::iter::Peekable<std::slice::Iter<'a, Link>>,
-    joints: std::iter::Peekable<std::slice::Iter<'a, Joint>>,
+    links: std::iter::Peekable<SharedIter<'a, Link>>,
+    joints: std::iter::Peekable<SharedIter<'a, Joint>>,
 }
 
 impl<'a> Children<'a, std::iter::Empty<XId>> {
     fn of(cx: &DocumentCx<'a>) -> Children<'a, impl Iterator<Item = XId>> {
-        let (links, joints) = cx
-            .robot
-            .map_or((&[][..], &[][..]), |robot| (&robot.links, &robot.joints));
         Children {
             ids: cx.expansion.tree.elements(cx.element).peekable(),
-            links: links.iter().peekable(),
-            joints: joints.iter().peekable(),
+            links: cx.links().iter().peekable(),
+            joints: cx.joints().iter().peekable(),
         }
     }
 }

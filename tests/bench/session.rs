@@ -147,7 +147,7 @@ fn hover(bencher: Bencher<'_, '_>, calls: usize) {
             source: &source,
             expansion: &analyzed.expansion,
             robot: analyzed.robot.as_ref(),
-            kinematics: analyzed.kinematics.as_ref(),
+            kinematics: analyzed.kinematics(),
             beside: &[],
             selected_frame: None,
         };

@@ -174,11 +174,8 @@ impl Session {
             .iter()
             .enumerate()
             .filter_map(|(number, one)| {
-                let (expansion, robot, kinematics) = (
-                    &one.expansion,
-                    one.robot.as_ref()?,
-                    one.kinematics.as_ref()?,
-                );
+                let (expansion, robot, kinematics) =
+                    (&one.expansion, one.robot.as_ref()?, one.kinematics()?);
                 Some(PairedRobot {
                     expansion,
                     robot,

@@ -26,7 +26,8 @@ fn robot(facts: &RobotFacts<'_, '_>, out: &mut ConstructCollector) {
     if robot.links.is_empty() {
         out.add("no-links", at, "the robot");
     }
-    if let ([link], true) = (robot.links.as_slice(), robot.joints.is_empty())
+    if let (Some(link), None) = (robot.links.get(0), robot.links.get(1))
+        && robot.joints.is_empty()
         && link.inertial.is_none()
     {
         out.add("one-link", facts.at(link.element), link_owner(link));

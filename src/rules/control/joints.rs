@@ -12,7 +12,7 @@ use packages::nearest;
 
 /// The joints that ros2_control lists, each with that of the robot.
 pub(super) fn controlled<'a>(cx: &DocumentCx<'a>) -> Vec<(&'a ControlJoint, &'a Joint)> {
-    let Some(robot) = cx.robot else {
+    let Some(robot) = cx.robot.filter(|robot| !robot.controls.is_empty()) else {
         return Vec::new();
     };
     let mut named: FastMap<&str, &Joint> = FastMap::default();
@@ -52,6 +52,10 @@ pub(super) fn unknown_joints<'t>(
     block: &str,
     severity: Severity,
 ) {
+    let mut texts = texts.peekable();
+    if texts.peek().is_none() {
+        return;
+    }
     let known: FastSet<&str> = cx.robot.joints.iter().map(|joint| joint.shown()).collect();
     for text in texts {
         let Some(name) = text.name().filter(|name| !known.contains(name.as_str())) else {

@@ -7,7 +7,7 @@ use super::super::thresholds::MAX_JOINT_OFFSET;
 use super::super::vocabulary::is_surroundings;
 use base::FastSet;
 use ecow::EcoString;
-use model::{Joint, JointType};
+use model::{Joint, JointType, SharedList};
 
 pub(super) static RULE: Rule = Rule {
     code: "FRM003",
@@ -73,7 +73,7 @@ fn check(cx: &DocumentCx<'_>, joint: &Joint, out: &mut Sink<'_>) {
 }
 
 impl Distances {
-    fn between(joints: &[Joint]) -> Self {
+    fn between(joints: &SharedList<Joint>) -> Self {
         let mut offsets: Vec<f64> = joints
             .iter()
             .filter_map(offset)
@@ -99,7 +99,7 @@ fn offset(joint: &Joint) -> Option<f64> {
 
 /// Whether a document describes a building or a landscape: most of its joints are fixed, and most of these are farther
 /// than [`LARGE`] from their parent.
-fn is_large(joints: &[Joint]) -> bool {
+fn is_large(joints: &SharedList<Joint>) -> bool {
     let fixed: Vec<f64> = joints
         .iter()
         .filter(|joint| joint.is(&[JointType::Fixed]))

@@ -70,7 +70,7 @@ pub fn factors(scale: Option<&AttrValue>) -> Option<[f64; 3]> {
 impl DocumentCx<'_> {
     /// The meshes that visuals and collisions name, in document order.
     pub(in super::super) fn meshes(&self) -> impl Iterator<Item = MeshUse<'_>> {
-        let resources = self.resources.get_or_init(|| read_meshes(self));
+        let resources = self.resources();
         named(self).filter_map(|named| {
             let (target, mesh) = resources.meshes.get(&named.element)?;
             let MeshReference {
@@ -93,9 +93,14 @@ impl DocumentCx<'_> {
         })
     }
 
+    fn resources(&self) -> &Resources {
+        self.look_beyond();
+        self.resources.get_or_init(|| read_meshes(self))
+    }
+
     /// The mesh of a shape, when its file could be read.
     pub(in super::super) fn mesh(&self, shape: &Shape) -> Option<&Mesh> {
-        let resources = self.resources.get_or_init(|| read_meshes(self));
+        let resources = self.resources();
         resources.meshes.get(&shape.element)?.1.as_deref()
     }
 }

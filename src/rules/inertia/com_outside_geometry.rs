@@ -3,8 +3,8 @@ use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::joined::{LIGHT, MARKER, body_boxes, is_in_world, is_small_part, known_box};
-use super::moments::{inertials, is_same_about_all_axes};
-use model::{Bounds, Inertial};
+use super::moments::is_same_about_all_axes;
+use model::{Bounds, Inertial, Link};
 
 pub(super) static RULE: Rule = Rule {
     code: "INR009",
@@ -15,7 +15,7 @@ pub(super) static RULE: Rule = Rule {
     since: "0.1",
     fix: None,
     docs: page("com-outside-geometry"),
-    check: Check::Document(check),
+    check: Check::Body(check),
 };
 
 /// Distance that no center of mass has from the frame of its link, meters.
@@ -27,54 +27,55 @@ const MARGIN: f64 = 0.01;
 /// Up to this part of half of its diagonal, a center is beside a geometry.
 const BESIDE: f64 = 0.25;
 
-fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for (link, inertial) in inertials(cx) {
-        let Some(text) = inertial
-            .origin
-            .as_ref()
-            .and_then(|origin| origin.xyz.as_ref())
-        else {
-            continue;
-        };
-        let Some(center) = text.numbers::<3>() else {
-            continue;
-        };
-        let is_light = inertial.mass().is_some_and(|mass| mass <= LIGHT);
-        let [x, y, z] = center;
-        // whatever the shape and however light: such a number has another unit
-        let is_far = x.hypot(y).hypot(z) > FAR;
-        let severity = match known_box(cx, link).filter(|_| !is_light) {
-            Some(bounds) if !is_outside(bounds, center) => continue,
-            Some(_)
-                if body_boxes(cx, link)
-                    .into_iter()
-                    .any(|bounds| !is_outside(bounds, center)) =>
-            {
-                continue;
-            }
-            None if !is_far => continue,
-            Some(bounds)
-                if !is_far
-                    && (is_beside(bounds, center)
-                        || is_in_world(cx, link)
-                        || inertial
-                            .mass()
-                            .is_some_and(|mass| is_small_part(cx, link, mass))
-                        || is_made_up(inertial, center)) =>
-            {
-                Severity::Info
-            }
-            _ => Severity::Warning,
-        };
-        let message = format!(
-            "center of mass of link `{}` is outside its geometry",
-            link.shown()
-        );
-        out.report(text.origin, message)
-            .severity(severity)
-            .help("check the units (meters) and the frame of the inertial origin")
-            .done();
-    }
+fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
+    let Some(inertial) = &link.inertial else {
+        return;
+    };
+    let Some(text) = inertial
+        .origin
+        .as_ref()
+        .and_then(|origin| origin.xyz.as_ref())
+    else {
+        return;
+    };
+    let Some(center) = text.numbers::<3>() else {
+        return;
+    };
+    let is_light = inertial.mass().is_some_and(|mass| mass <= LIGHT);
+    let [x, y, z] = center;
+    // whatever the shape and however light: such a number has another unit
+    let is_far = x.hypot(y).hypot(z) > FAR;
+    let severity = match known_box(cx, link).filter(|_| !is_light) {
+        Some(bounds) if !is_outside(bounds, center) => return,
+        Some(_)
+            if body_boxes(cx, link)
+                .into_iter()
+                .any(|bounds| !is_outside(bounds, center)) =>
+        {
+            return;
+        }
+        None if !is_far => return,
+        Some(bounds)
+            if !is_far
+                && (is_beside(bounds, center)
+                    || is_in_world(cx, link)
+                    || inertial
+                        .mass()
+                        .is_some_and(|mass| is_small_part(cx, link, mass))
+                    || is_made_up(inertial, center)) =>
+        {
+            Severity::Info
+        }
+        _ => Severity::Warning,
+    };
+    let message = format!(
+        "center of mass of link `{}` is outside its geometry",
+        link.shown()
+    );
+    out.report(text.origin, message)
+        .severity(severity)
+        .help("check the units (meters) and the frame of the inertial origin")
+        .done();
 }
 
 /// Whether numbers were made up so that a simulation runs: the center at the frame, and the same moment about all axes.

@@ -17,7 +17,7 @@ pub(super) static RULE: Rule = Rule {
     since: "0.1",
     fix: None,
     docs: page("implausible-density"),
-    check: Check::Document(check),
+    check: Check::Body(check),
 };
 
 /// Smaller volumes say nothing, cubic meters.
@@ -33,40 +33,41 @@ const FAR_TOO_HEAVY: f64 = 1e5;
 /// Links that weigh less have rough geometry or a mass that was made up, kg.
 const LEAST_MASS: f64 = 0.05;
 
-fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for (link, inertial) in inertials(cx) {
-        let Some(text) = &inertial.mass else { continue };
-        let Some(mass) = text.number().filter(|&mass| mass > 0.0) else {
-            continue;
-        };
-        let Some(volume) = volume(cx, link).filter(|&volume| volume >= LEAST_VOLUME) else {
-            continue;
-        };
-        let density = mass / volume;
-        if (LIGHT..=HEAVY).contains(&density) || is_scaled_wrong(cx, link) {
-            continue;
-        }
-        let message = format!(
-            "link `{}` has an implausible density of {} kg/m^3",
-            link.shown(),
-            short(density)
-        );
-        let is_gross = !(FAR_TOO_LIGHT..FAR_TOO_HEAVY).contains(&density)
-            && mass >= LEAST_MASS
-            && !fits_in_shape(cx, link, mass)
-            && !is_in_world(cx, link)
-            && !is_placeholder(cx, link, inertial)
-            && !is_mass_of_all(cx, mass)
-            && !is_immovable(cx, mass);
-        out.report(text.origin, message)
-            .severity(if is_gross {
-                Severity::Warning
-            } else {
-                Severity::Info
-            })
-            .help("check the units: kilograms for the mass, meters for the geometry")
-            .done();
+fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
+    let Some(inertial) = &link.inertial else {
+        return;
+    };
+    let Some(text) = &inertial.mass else { return };
+    let Some(mass) = text.number().filter(|&mass| mass > 0.0) else {
+        return;
+    };
+    let Some(volume) = volume(cx, link).filter(|&volume| volume >= LEAST_VOLUME) else {
+        return;
+    };
+    let density = mass / volume;
+    if (LIGHT..=HEAVY).contains(&density) || is_scaled_wrong(cx, link) {
+        return;
     }
+    let message = format!(
+        "link `{}` has an implausible density of {} kg/m^3",
+        link.shown(),
+        short(density)
+    );
+    let is_gross = !(FAR_TOO_LIGHT..FAR_TOO_HEAVY).contains(&density)
+        && mass >= LEAST_MASS
+        && !fits_in_shape(cx, link, mass)
+        && !is_in_world(cx, link)
+        && !is_placeholder(cx, link, inertial)
+        && !is_mass_of_all(cx, mass)
+        && !is_immovable(cx, mass);
+    out.report(text.origin, message)
+        .severity(if is_gross {
+            Severity::Warning
+        } else {
+            Severity::Info
+        })
+        .help("check the units: kilograms for the mass, meters for the geometry")
+        .done();
 }
 
 /// Whether an object without joints has a large round mass: it is an obstacle that nothing is to move.

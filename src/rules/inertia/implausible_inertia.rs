@@ -5,9 +5,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::inertia_triangle_inequality;
 use super::joined::{LIGHT, is_in_world, is_joined, shape};
-use super::moments::{
-    InertiaClass, inertia_tag, inertials, is_same_about_all_axes, short, verdict,
-};
+use super::moments::{InertiaClass, inertia_tag, is_same_about_all_axes, short, verdict};
 use super::placeholder_inertia::is_placeholder;
 use model::Link;
 
@@ -20,7 +18,7 @@ pub(super) static RULE: Rule = Rule {
     since: "0.1",
     fix: None,
     docs: page("implausible-inertia"),
-    check: Check::Document(check),
+    check: Check::Body(check),
 };
 
 /// Radius of gyration that no link without geometry has, meters.
@@ -31,43 +29,43 @@ const GROSS: f64 = 10.0;
 /// Up to this mass in kg, a link that is fixed to another one is a sensor or a cover, which changes little.
 const LIGHT_PART: f64 = 0.1;
 
-fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for (link, inertial) in inertials(cx) {
-        let Some(mass) = inertial.mass().filter(|&mass| mass > 0.0) else {
-            continue;
-        };
-        let Some(entries) = inertial.entries() else {
-            continue;
-        };
-        let InertiaClass::Definite([_, _, most]) = verdict(entries) else {
-            continue;
-        };
-        let radius = (most / mass).sqrt();
-        let Some(misfit) = misfit(cx, link, radius)
-            .filter(|_| !is_placeholder(cx, link, inertial) && !is_scaled_wrong(cx, link))
-            // one defect, one finding
-            .filter(|_| !inertia_triangle_inequality::is_error(cx, link, inertial))
-        else {
-            continue;
-        };
-        let made_up = is_same_about_all_axes(entries);
-        let (severity, help) = if misfit.is_gross && !made_up && matters(cx, link, mass) {
-            (
-                Severity::Warning,
-                "check the units: kg m^2, not kg mm^2 or g mm^2",
-            )
-        } else {
-            (Severity::Info, "compute the inertia from mass and shape")
-        };
-        let (name, radius, beside) = (link.shown(), short(radius), misfit.beside);
-        let message = format!(
-            "inertia of link `{name}` is implausible: radius of gyration {radius} m, {beside}"
-        );
-        out.report(inertia_tag(cx.expansion, inertial), message)
-            .severity(severity)
-            .help(help)
-            .done();
-    }
+fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
+    let Some(inertial) = &link.inertial else {
+        return;
+    };
+    let Some(mass) = inertial.mass().filter(|&mass| mass > 0.0) else {
+        return;
+    };
+    let Some(entries) = inertial.entries() else {
+        return;
+    };
+    let InertiaClass::Definite([_, _, most]) = verdict(entries) else {
+        return;
+    };
+    let radius = (most / mass).sqrt();
+    let Some(misfit) = misfit(cx, link, radius)
+        .filter(|_| !is_placeholder(cx, link, inertial) && !is_scaled_wrong(cx, link))
+        // one defect, one finding
+        .filter(|_| !inertia_triangle_inequality::is_error(cx, link, inertial))
+    else {
+        return;
+    };
+    let made_up = is_same_about_all_axes(entries);
+    let (severity, help) = if misfit.is_gross && !made_up && matters(cx, link, mass) {
+        (
+            Severity::Warning,
+            "check the units: kg m^2, not kg mm^2 or g mm^2",
+        )
+    } else {
+        (Severity::Info, "compute the inertia from mass and shape")
+    };
+    let (name, radius, beside) = (link.shown(), short(radius), misfit.beside);
+    let message =
+        format!("inertia of link `{name}` is implausible: radius of gyration {radius} m, {beside}");
+    out.report(inertia_tag(cx.expansion, inertial), message)
+        .severity(severity)
+        .help(help)
+        .done();
 }
 
 /// Whether a simulation depends on the inertia of a link.

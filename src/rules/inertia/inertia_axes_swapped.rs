@@ -4,7 +4,7 @@ use super::super::geometry::is_scaled_wrong;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::joined::{is_in_world, shape};
-use super::moments::{inertia_tag, inertials, short};
+use super::moments::{inertia_tag, short};
 use model::{Inertial, Link};
 
 pub(super) static RULE: Rule = Rule {
@@ -16,7 +16,7 @@ pub(super) static RULE: Rule = Rule {
     since: "0.1",
     fix: None,
     docs: page("inertia-axes-swapped"),
-    check: Check::Document(check),
+    check: Check::Body(check),
 };
 
 /// How far a moment may be from that of a box.
@@ -26,30 +26,31 @@ const OTHER: f64 = 2.0;
 /// The entries, by axis.
 const NAMES: [&str; 3] = ["ixx", "iyy", "izz"];
 
-fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for (link, inertial) in inertials(cx) {
-        let Some((found, expected)) = moments(cx, link, inertial) else {
-            continue;
-        };
-        let Some((a, b)) = swapped(found, expected) else {
-            continue;
-        };
-        if is_scaled_wrong(cx, link) || is_in_world(cx, link) {
-            continue;
-        }
-        let [first, second] = [a, b].map(|i| NAMES.get(i).copied().unwrap_or_default());
-        let message = format!(
-            "`{first}` and `{second}` of link `{}` seem to be swapped",
-            link.shown()
-        );
-        let [one, other] = [a, b].map(|i| found.get(i).copied().map_or_else(String::new, short));
-        let help = format!(
-            "write {first}=\"{other}\" and {second}=\"{one}\"; these fit the box around the link"
-        );
-        out.report(inertia_tag(cx.expansion, inertial), message)
-            .help(help)
-            .done();
+fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
+    let Some(inertial) = &link.inertial else {
+        return;
+    };
+    let Some((found, expected)) = moments(cx, link, inertial) else {
+        return;
+    };
+    let Some((a, b)) = swapped(found, expected) else {
+        return;
+    };
+    if is_scaled_wrong(cx, link) || is_in_world(cx, link) {
+        return;
     }
+    let [first, second] = [a, b].map(|i| NAMES.get(i).copied().unwrap_or_default());
+    let message = format!(
+        "`{first}` and `{second}` of link `{}` seem to be swapped",
+        link.shown()
+    );
+    let [one, other] = [a, b].map(|i| found.get(i).copied().map_or_else(String::new, short));
+    let help = format!(
+        "write {first}=\"{other}\" and {second}=\"{one}\"; these fit the box around the link"
+    );
+    out.report(inertia_tag(cx.expansion, inertial), message)
+        .help(help)
+        .done();
 }
 
 /// The moments of a link, and those of the box around it with the same mass.

@@ -4,7 +4,7 @@ use super::super::numbers::{UNLIMITED, from_degrees, whole};
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::super::thresholds::MAX_JOINT_VELOCITY;
-use model::{AttrValue, Joint, JointType, Limit};
+use model::{AttrValue, Joint, JointType, Limit, SharedList};
 
 pub(super) static RULE: Rule = Rule {
     code: "JNT007",
@@ -53,7 +53,7 @@ fn velocity(joint: &Joint) -> Option<&AttrValue> {
 }
 
 /// Whether many joints have the same velocity: nobody measured that, it only means "enough".
-fn is_everywhere(joints: &[Joint], value: f64) -> bool {
+fn is_everywhere(joints: &SharedList<Joint>, value: f64) -> bool {
     const MANY: usize = 8;
     let same = |joint: &&Joint| {
         joint.is(&[JointType::Revolute])

@@ -19,7 +19,11 @@ pub(in super::super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
-    for circle in circles(&targets(cx.robot)) {
+    let targets = targets(cx.robot);
+    if targets.iter().all(Option::is_none) {
+        return;
+    }
+    for circle in circles(&targets) {
         let Some(&last) = circle.iter().max() else {
             continue;
         };

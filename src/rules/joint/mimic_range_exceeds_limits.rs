@@ -5,7 +5,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::mimics::targets;
 use model::JointType::{Prismatic, Revolute};
-use model::{AttrValue, Joint, tag_start};
+use model::{AttrValue, Joint, SharedList, tag_start};
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "JNT024",
@@ -55,7 +55,11 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
 }
 
 /// From where to where a joint follows another one, which may follow a third.
-fn followed(joints: &[Joint], targets: &[Option<usize>], joint: usize) -> Option<(f64, f64)> {
+fn followed(
+    joints: &SharedList<Joint>,
+    targets: &[Option<usize>],
+    joint: usize,
+) -> Option<(f64, f64)> {
     let value =
         |text: &Option<AttrValue>, default| text.as_ref().map_or(Some(default), AttrValue::number);
     let (mut factor, mut offset, mut last) = (1.0, 0.0, joint);

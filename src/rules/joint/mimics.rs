@@ -5,6 +5,9 @@ use model::{AttrValue, Joint, Robot};
 /// For each joint, the one it mimics: indices into [`Robot::joints`].
 pub(super) fn targets(robot: &Robot) -> Vec<Option<usize>> {
     let mut named: FastMap<&str, usize> = FastMap::default();
+    if robot.joints.iter().all(|joint| joint.mimic.is_none()) {
+        return vec![None; robot.joints.len()];
+    }
     for (i, joint) in robot.joints.iter().enumerate() {
         named.entry(joint.shown()).or_insert(i);
     }

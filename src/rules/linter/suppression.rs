@@ -3,6 +3,7 @@ use super::super::linter::directive::{Directive, Selector, Suppression};
 use super::super::rule::Rule;
 use super::reach::SuppressionIndex;
 use base::{Encoding, TextRange};
+use facts::facts;
 use packages::nearest;
 use xml::{Document, Node, NodeKind};
 
@@ -40,11 +41,7 @@ impl Suppressions {
     /// Read the comments of a document.
     pub fn of(document: &Document) -> Self {
         let mut found = Self::default();
-        let marks = ["lint", "Lint", "LINT"].map(memchr::memmem::Finder::new);
-        if !document.parts().any(|(_, item)| {
-            let text = item.text().as_bytes();
-            marks.iter().any(|mark| mark.find(text).is_some())
-        }) {
+        if !facts(document).any(|(_, facts)| facts.marks.lint) {
             return found;
         }
         let end = document.len();

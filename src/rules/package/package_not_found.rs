@@ -188,19 +188,13 @@ fn all_file_names(expansion: &Expansion) -> impl Iterator<Item = &XAttr> {
 }
 
 /// The `filename` attributes of meshes and textures, in document order.
-fn file_names(expansion: &Expansion, root: XId) -> Vec<&XAttr> {
-    let mut found = Vec::new();
-    let mut open = vec![root];
-    while let Some(element) = open.pop() {
-        let node = expansion.tree.get(element);
-        if matches!(node.text.as_str(), "mesh" | "texture") {
-            found.extend(expansion.tree.attr(element, "filename"));
-        }
-        let start = open.len();
-        open.extend(expansion.tree.elements(element));
-        open.get_mut(start..).into_iter().for_each(<[XId]>::reverse);
-    }
-    found
+fn file_names(expansion: &Expansion, root: XId) -> impl Iterator<Item = &XAttr> {
+    let tree = &expansion.tree;
+    let is_file = move |&id: &XId| matches!(tree.get(id).text.as_str(), "mesh" | "texture");
+    let elements = std::iter::once(root)
+        .chain(tree.below(root))
+        .filter(is_file);
+    elements.filter_map(move |id| tree.attr(id, "filename"))
 }
 
 /// Look for the package that an element names, once for each file and name.

@@ -45,7 +45,9 @@ pub(super) struct LinkUse {
 pub(super) fn missing_links(cx: &RobotCx<'_>) -> Vec<MissingLink> {
     let mut missing: IndexMap<EcoString, LinkUses> = IndexMap::new();
     let almost = OnceCell::new();
-    for joint in &cx.robot.joints {
+    let joints = cx.robot.joints.iter().enumerate();
+    let incomplete = joints.filter(|(number, _)| cx.kinematics.ends(*number).is_none());
+    for (_, joint) in incomplete {
         for (end, text) in [("parent", &joint.parent), ("child", &joint.child)] {
             let Some(text) = text else { continue };
             let Some(name) = text

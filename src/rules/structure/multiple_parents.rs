@@ -18,6 +18,10 @@ pub(in super::super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
+    let has_several = |link: usize| cx.kinematics.parent_joints(link).len() > 1;
+    if !(0..cx.robot.links.len()).any(has_several) {
+        return;
+    }
     let mut count: FastMap<&str, usize> = FastMap::default();
     for name in cx.robot.links.iter().filter_map(|link| link.name.as_ref()) {
         *count.entry(&name.value).or_default() += 1;

@@ -8,7 +8,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::missing_links::{joined_elsewhere, joints_with_one_end, lost_links};
 use base::FastSet;
-use model::AttrValue;
+use model::{AttrValue, Link};
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "STR008",
@@ -23,7 +23,12 @@ pub(in super::super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
-    if cx.robot.links.len() < 2 {
+    let kinematics = cx.kinematics;
+    let is_alone = |&(number, _): &(usize, &Link)| {
+        kinematics.parent_joints(number).is_empty() && kinematics.child_joints(number).is_empty()
+    };
+    let links = || cx.robot.links.iter().enumerate().filter(is_alone);
+    if cx.robot.links.len() < 2 || links().next().is_none() {
         return;
     }
     let ends = cx
@@ -35,7 +40,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let lost = lost_links(cx);
     let misplaced = ends_of_misplaced_joints(cx);
     let mut seen: FastSet<&EcoString> = FastSet::default();
-    let names = cx.robot.links.iter().filter_map(|link| link.name.as_ref());
+    let names = links().filter_map(|(_, link)| link.name.as_ref());
     let named = names.filter_map(|name| Some((name, name.name()?)));
     let orphans: Vec<_> = named
         .filter(|(_, text)| {

@@ -1,5 +1,5 @@
 //! A condition that is always the same.
-use super::super::context::FileCx;
+use super::super::context::{FileCx, elements_where};
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 
@@ -16,7 +16,7 @@ pub(super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
-    for (base, node) in cx.elements() {
+    for (base, node) in elements_where(&cx.source.document, |marks| marks.condition) {
         let wanted = match node.name() {
             "xacro:if" => true,
             "xacro:unless" => false,

@@ -24,6 +24,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         return;
     }
     let inclusions = source::inclusions(cx.expansion, cx.world);
+    if inclusions.len() < 2 {
+        return;
+    }
     let emitting = emitting(cx);
     let mut reported: FastSet<FileIdx> = FastSet::default();
     let mut first_of: FastMap<(FileIdx, &str), &Inclusion<'_>> = FastMap::default();

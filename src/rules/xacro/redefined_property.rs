@@ -23,7 +23,6 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     if !source::is_main(cx) {
         return;
     }
-    let used = unused::used(cx);
     let mut last: FastMap<(FileIdx, &str), (DefinitionId, FileRange, Node<'_>)> =
         FastMap::default();
     let properties = cx
@@ -41,7 +40,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let Some((earlier, first, first_node)) = earlier else {
             continue;
         };
-        if !used.contains(&earlier)
+        if !unused::is_used(cx, earlier)
             && first.range.end < place.range.start
             && source::macro_around(first_node) == source::macro_around(node)
             && !mentioned_between(cx, first, place, node, &definition.name)

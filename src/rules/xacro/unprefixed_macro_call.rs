@@ -19,9 +19,9 @@ pub(in super::super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
-    for (base, node) in outside_free_zones(cx.elements()) {
+    for (base, node) in outside_free_zones(cx.other_elements()) {
         let name = node.name();
-        if !cx.macros.contains(name) || is_urdf_element(name) || is_output(cx, node) {
+        if !cx.macros().contains(name) || is_urdf_element(name) || is_output(cx, node) {
             continue;
         }
         let start = node.name_range().shift(base);

@@ -70,7 +70,7 @@ fn declares(document: &Document) -> bool {
 }
 
 fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
-    let elements = outside_free_zones(cx.elements());
+    let elements = outside_free_zones(cx.other_elements());
     for (base, node) in
         elements.filter(|&(_, node)| is_unprefixed(cx.expansion, &cx.source.document, node))
     {

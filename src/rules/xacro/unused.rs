@@ -1,8 +1,10 @@
 //! Definitions that nothing reads: what the rules about them share.
 use super::super::context::{DocumentCx, RootKind};
 use super::source;
-use base::{FastSet, TextRange};
-use expand::{Definition, DefinitionId, FileIdx, FileRange, ProblemKind, SymbolKind, UseKind};
+use base::{Id, TextRange};
+use expand::{
+    Definition, DefinitionId, Expansion, FileIdx, FileRange, ProblemKind, SymbolKind, UseKind,
+};
 
 /// The definitions of some kinds in the root file of a robot that nothing uses in this expansion. None, when
 /// something of the robot could not be resolved.
@@ -22,7 +24,6 @@ pub(super) fn in_root<'a>(
     }) {
         return Vec::new();
     }
-    let used = used(cx);
     let symbols = cx
         .expansion
         .index
@@ -30,7 +31,7 @@ pub(super) fn in_root<'a>(
         .iter()
         .filter(|(_, definition)| kinds.contains(&definition.kind));
     let unused =
-        symbols.filter(|(id, definition)| !used.contains(id) && !definition.name.starts_with('_'));
+        symbols.filter(|(id, definition)| !is_used(cx, *id) && !definition.name.starts_with('_'));
     let placed = unused.filter_map(|(id, definition)| {
         Some((
             id,
@@ -44,16 +45,22 @@ pub(super) fn in_root<'a>(
         .collect()
 }
 
-/// The definitions that are read, called or inserted.
-pub(super) fn used(cx: &DocumentCx<'_>) -> FastSet<DefinitionId> {
-    let uses = cx
-        .expansion
-        .index
-        .symbols
-        .uses
-        .iter()
-        .filter(|used| used.kind != UseKind::Given);
-    uses.map(|used| used.definition).collect()
+/// Whether a definition is read, called or inserted.
+pub(super) fn is_used(cx: &DocumentCx<'_>, id: DefinitionId) -> bool {
+    let used = cx.used.get_or_init(|| find_used(cx.expansion));
+    used.get(id.index()).is_some_and(|used| *used)
+}
+
+/// For each definition, whether it is read, called or inserted.
+fn find_used(expansion: &Expansion) -> Vec<bool> {
+    let symbols = &expansion.index.symbols;
+    let mut used = vec![false; symbols.definitions.len()];
+    for one in symbols.uses.iter().filter(|one| one.kind != UseKind::Given) {
+        if let Some(used) = used.get_mut(one.definition.index()) {
+            *used = true;
+        }
+    }
+    used
 }
 
 /// The text to delete to remove the element of a definition; none when something but a name stands there.

@@ -27,13 +27,12 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     if !source::is_main(cx) {
         return;
     }
-    let used = unused::used(cx);
     let forwards = Forwards::of(cx);
     let mut bodies: FastMap<DefinitionId, Option<MentionedWords>> = FastMap::default();
     for (id, definition) in cx.expansion.index.symbols.iter() {
         let Some(of) = definition
             .of
-            .filter(|_| !used.contains(&id) && !definition.name.starts_with('_'))
+            .filter(|_| !unused::is_used(cx, id) && !definition.name.starts_with('_'))
         else {
             continue;
         };

@@ -35,7 +35,7 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
                 .filter_map(|(_, node)| node.name().strip_prefix(prefix)?.strip_prefix(':'));
             // beside the right prefix, it may stand for what programs read: no tag of xacro is lost
             let has_both = cx.root_attrs().any(|attr| attr.name() == "xmlns:xacro");
-            let is_lost = |name: &str| !has_both || is_keyword(name) || cx.macros.contains(name);
+            let is_lost = |name: &str| !has_both || is_keyword(name) || cx.macros().contains(name);
             let severity = if names.any(is_lost) {
                 Severity::Error
             } else {

@@ -35,7 +35,7 @@ impl Asked {
             source: &self.source,
             expansion: &self.analyzed.expansion,
             robot: self.analyzed.robot.as_ref(),
-            kinematics: self.analyzed.kinematics.as_ref(),
+            kinematics: self.analyzed.kinematics(),
             beside: &self.beside,
             selected_frame: self.selected_frame,
         }

@@ -57,7 +57,7 @@ fn own_cx(analyzed: &RootAnalysis) -> Option<Cx<'_>> {
         source,
         expansion,
         robot,
-        kinematics: analyzed.kinematics.as_ref(),
+        kinematics: analyzed.kinematics(),
         beside: &[],
         selected_frame: None,
     })

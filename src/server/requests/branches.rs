@@ -168,7 +168,7 @@ fn spread(
     spans: &mut Vec<Span>,
 ) -> Result<(), String> {
     let expansion = &analyzed.expansion;
-    let (robot, kinematics) = (analyzed.robot.as_ref(), analyzed.kinematics.as_ref());
+    let (robot, kinematics) = (analyzed.robot.as_ref(), analyzed.kinematics());
     let mut covered: Vec<Span> = Vec::new();
     for span in spans.clone() {
         let file = expansion

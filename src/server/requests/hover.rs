@@ -63,7 +63,7 @@ fn hover_while_typing(
         source: &source,
         expansion: &before.expansion,
         robot: before.robot.as_ref(),
-        kinematics: before.kinematics.as_ref(),
+        kinematics: before.kinematics(),
         beside: &[],
         selected_frame: None,
     };

@@ -155,7 +155,7 @@ fn in_robot(
     };
     for span in given {
         let Some(source) = source(span) else { continue };
-        let (kinematics, robot) = (analyzed.kinematics.as_ref(), analyzed.robot.as_ref());
+        let (kinematics, robot) = (analyzed.kinematics(), analyzed.robot.as_ref());
         let cx = Cx {
             source,
             expansion,

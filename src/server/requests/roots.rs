@@ -257,7 +257,7 @@ pub fn tree(
 
 /// The links of a robot, each with its joint, roots first.
 fn nodes(state: &ServerState, analyzed: &RootAnalysis) -> Vec<TreeNode> {
-    let (Some(robot), Some(kinematics)) = (&analyzed.robot, &analyzed.kinematics) else {
+    let (Some(robot), Some(kinematics)) = (&analyzed.robot, analyzed.kinematics()) else {
         return Vec::new();
     };
     let mut nodes = Vec::new();
