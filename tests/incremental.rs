@@ -170,3 +170,108 @@ fn an_edited_session_says_what_a_fresh_one_says() {
         }
     }
 }
+
+/// A macro whose calls decide what rules say of it, and what they say of others.
+const MACRO: &str = r#"<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:property name="turns" value="1"/>
+  <xacro:macro name="part" params="name parent type:=revolute xyz:='0 0 0.1' axis:='0 0 1' limit:=1.5 speed:=2 ixx:=0.01 shape:=box">
+    <link name="${name}">
+      <inertial><mass value="1"/><inertia ixx="${ixx}" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+      <visual>
+        <xacro:if value="${shape == 'box'}"><geometry><box size="0.1 0.1 0.1"/></geometry></xacro:if>
+        <xacro:unless value="${shape == 'box'}"><sphere radius="0.1"/></xacro:unless>
+      </visual>
+      <extra/>
+    </link>
+    <joint name="${name}_joint" type="${type}">
+      <parent link="${parent}"/><child link="${name}"/>
+      <origin xyz="${xyz}"/>
+      <axis xyz="${axis}"/>
+      <limit lower="${-limit}" upper="${limit * turns}" effort="10" velocity="${speed}"/>
+    </joint>
+  </xacro:macro>
+  <link name="base"/>
+"#;
+
+/// Settings of a call, each with values of which some are wrong, and some only beside others.
+const SETTINGS: [(&str, &[&str]); 8] = [
+    ("type", &["revolute", "fixed", "prismatic", "revolut"]),
+    (
+        "xyz",
+        &["0 0 0.1", "0 0 25", "0 0 2500", "0 0", "0 ${missing} 1"],
+    ),
+    ("axis", &["0 0 1", "0 0 2", "1 1 0", "0 0 0"]),
+    ("limit", &["1.5", "180", "90", "${turns}"]),
+    ("speed", &["2", "180", "0"]),
+    ("ixx", &["0.01", "0.5", "0", "-1", "x"]),
+    ("shape", &["box", "ball"]),
+    ("parent", &["base", "p0", "p3", "nowhere"]),
+];
+
+/// What stands in front of the calls: it decides without being read by them.
+const AROUND: [&str; 7] = [
+    "",
+    "<gazebo><static>true</static></gazebo>",
+    "<xacro:macro name=\"extra\" params=\"\"><link name=\"more\"/></xacro:macro>",
+    "<link name=\"far\"><origin xyz=\"${missing}\"/></link>",
+    "<xacro:property name=\"turns\" value=\"2\"/>",
+    "<xacro:property name=\"turns\" value=\"many\"/>",
+    "<link name=\"P3\"/>",
+];
+
+fn call(number: usize, settings: &[(&str, &str)]) -> String {
+    let settings = settings
+        .iter()
+        .map(|(name, value)| format!(" {name}=\"{value}\""));
+    format!(
+        "  <xacro:part name=\"p{number}\"{}/>\n",
+        settings.collect::<String>()
+    )
+}
+
+#[test]
+fn calls_that_were_settled_are_asked_again_when_something_else_decides() {
+    const CALLS: usize = 10;
+    let folder = Path::new("/nowhere");
+    let path = folder.join("arm.urdf.xacro");
+    let mut dice = Dice(7);
+    let mut around = "";
+    let mut calls: Vec<Vec<(&str, &str)>> = (0..CALLS).map(|_| vec![("parent", "base")]).collect();
+    let write = |around: &str, calls: &[Vec<(&str, &str)>]| {
+        let calls = calls
+            .iter()
+            .enumerate()
+            .map(|(number, own)| call(number, own));
+        format!("{MACRO}{around}\n{}</robot>\n", calls.collect::<String>())
+    };
+    let texts = |text: String| BTreeMap::from([(path.clone(), text)]);
+    let mut session = Session::over(folder, &texts(write(around, &calls)));
+    session.findings();
+    for round in 0..150 {
+        if dice.roll(5) == 0 {
+            around = AROUND[dice.roll(AROUND.len())];
+        } else {
+            let (name, values) = SETTINGS[dice.roll(SETTINGS.len())];
+            let own = &mut calls[dice.roll(CALLS)];
+            own.retain(|(known, _)| *known != name);
+            own.push((name, values[dice.roll(values.len())]));
+        }
+        let (old, new) = (session.texts[&path].clone(), write(around, &calls));
+        let start = old
+            .bytes()
+            .zip(new.bytes())
+            .take_while(|(a, b)| a == b)
+            .count();
+        let behind = old.bytes().rev().zip(new.bytes().rev());
+        let same = behind.take_while(|(a, b)| a == b).count();
+        let same = same.min(old.len() - start).min(new.len() - start);
+        session.edit(
+            &path,
+            start,
+            old.len() - same,
+            &new[start..new.len() - same],
+        );
+        let fresh = Session::over(folder, &texts(new.clone())).findings();
+        assert_eq!(session.findings(), fresh, "round {round}: {new}");
+    }
+}
