@@ -110,9 +110,6 @@ pub enum Check {
     Number(fn(&DocumentCx<'_>, &Numeric, &mut Sink<'_>)),
     /// Each link.
     Link(fn(&DocumentCx<'_>, &Link, &mut Sink<'_>)),
-    /// Each link with its shape: the rule may ask for meshes, which may change without an edit, and what is known of other rules
-    /// about the link still holds.
-    Body(fn(&DocumentCx<'_>, &Link, &mut Sink<'_>)),
     /// Each joint.
     Joint(fn(&DocumentCx<'_>, &Joint, &mut Sink<'_>)),
     /// Each origin of a joint, an inertia, a visual or a collision.

@@ -16,7 +16,7 @@ use super::registry::all;
 use super::rule::{Check, Rule};
 use super::settled::Settled;
 use super::sink::{Sink, span};
-use super::visit::Visitors;
+use super::visit::visit;
 use super::vocabulary::{is_urdf_element, is_xacro_uri, outside_free_zones};
 use super::xacro::is_unprefixed;
 use base::{CancelFlag, FastSet, FileId, Span, TextRange};
@@ -118,7 +118,6 @@ fn check_again(
     };
     let mut sink = Sink::new(expansion, first);
     let complete = is_whole(expansion);
-    let visitors = Visitors::of(chosen.rules, complete);
     let whole = expansion
         .tree
         .root()
@@ -154,7 +153,7 @@ fn check_again(
             Check::WholeDocument(check) if complete => check(&document, sink),
             _ => {}
         });
-        let now = visitors.run(&document, chosen, before, &mut sink);
+        let now = visit(&document, chosen, before, &mut sink);
         if !is_probe {
             settled = now;
         }

@@ -1,32 +1,21 @@
 //! What rules about single elements need not be asked again after an edit.
 use super::context::{DocumentCx, RootKind};
 use super::rule::Rule;
-use base::FastSet;
+use base::FastMap;
 use expand::StepKey;
 use model::Version;
 
-/// The steps of an expansion of whose elements rules found nothing, and looked at nothing else to know. An expansion that takes
-/// such a step over gives the same elements, of which the same rules find nothing. Files around the description, packages and
-/// configuration have to be the same; whoever keeps this sees to it.
+/// The steps of an expansion with the rules that have to be asked about them again: those that found something, or looked at
+/// something else to know. An expansion that takes a step over gives the same elements, of which all other rules find nothing.
+/// Files around the description, packages and configuration have to be the same; whoever keeps this sees to it.
 #[derive(Clone, Debug, Default)]
 pub struct Settled {
     basis: Option<Basis>,
-    texts: FastSet<StepKey>,
-    shapes: FastSet<StepKey>,
+    steps: FastMap<StepKey, OpenRules>,
 }
 
-/// What rules about single elements look at: whatever of a step is settled, the other may not be.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum About {
-    /// What the element says.
-    Texts,
-    /// The shape of a link, which may be in a file.
-    Shapes,
-}
-
-impl About {
-    pub(super) const ALL: [Self; 2] = [Self::Texts, Self::Shapes];
-}
+/// The rules that have to be asked again: their places among those that run, in order.
+pub(super) type OpenRules = Vec<u16>;
 
 /// What rules about single elements may ask of the whole document without being asked again.
 #[derive(Clone, Debug, PartialEq)]
@@ -54,7 +43,7 @@ impl Settled {
     pub(super) fn on(basis: Basis) -> Self {
         Self {
             basis: Some(basis),
-            ..Self::default()
+            steps: FastMap::default(),
         }
     }
 
@@ -63,22 +52,17 @@ impl Settled {
         self.basis == other.basis
     }
 
-    pub(super) fn holds(&self, about: About, step: &StepKey) -> bool {
-        match about {
-            About::Texts => self.texts.contains(step),
-            About::Shapes => self.shapes.contains(step),
-        }
+    /// The rules that have to be asked about a step again; none when all have to.
+    pub(super) fn open_rules(&self, step: &StepKey) -> Option<&OpenRules> {
+        self.steps.get(step)
     }
 
-    pub(super) fn add(&mut self, about: About, step: StepKey) {
-        match about {
-            About::Texts => self.texts.insert(step),
-            About::Shapes => self.shapes.insert(step),
-        };
+    pub(super) fn add(&mut self, step: StepKey, open: OpenRules) {
+        self.steps.insert(step, open);
     }
 
-    /// Whether nothing is settled.
+    /// Whether nothing is known.
     pub fn is_empty(&self) -> bool {
-        self.texts.is_empty() && self.shapes.is_empty()
+        self.steps.is_empty()
     }
 }

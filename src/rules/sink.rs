@@ -31,6 +31,8 @@ pub(super) struct FindingBuilder {
     calls: RelatedCalls,
     /// The text in the body of a macro that is wrong, each time.
     instances: Vec<Origin>,
+    /// The calls among those that an editor may show it at.
+    sites: FastSet<Span>,
 }
 
 /// Adds to a finding.
@@ -74,6 +76,7 @@ impl<'a> Sink<'a> {
                 mut finding,
                 calls,
                 instances,
+                sites: _,
             } = draft;
             finding.partial = depends_on_parameter(self.expansion, &instances);
             calls.list_in(&mut finding);
@@ -129,6 +132,7 @@ impl<'a> Sink<'a> {
             finding,
             calls: RelatedCalls::default(),
             instances: Vec::new(),
+            sites: FastSet::default(),
         };
         draft.calls.add(calls);
         Reported { draft, sink: self }
@@ -170,15 +174,12 @@ impl<'a> Sink<'a> {
                 old.calls.join(draft.calls);
                 old.instances.extend(draft.instances);
                 for site in draft.finding.call_sites {
-                    let room = old.finding.call_sites.len() < MOST_CALL_SITES;
-                    if room
-                        && !old
-                            .finding
-                            .call_sites
-                            .iter()
-                            .any(|known| known.call == site.call)
-                    {
-                        old.finding.call_sites.push(site);
+                    let sites = &mut old.finding.call_sites;
+                    if old.sites.is_empty() {
+                        old.sites.extend(sites.iter().map(|known| known.call));
+                    }
+                    if sites.len() < MOST_CALL_SITES && old.sites.insert(site.call) {
+                        sites.push(site);
                     }
                 }
             }

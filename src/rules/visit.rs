@@ -1,17 +1,20 @@
 //! Rules that look at one element at a time. Of each child of the root, all of them are asked before the next child, and
-//! children that they were asked about before are passed over: see [`Settled`].
+//! what is known of children from before an edit is not asked again: see [`Settled`].
+use std::iter::Peekable;
+
 use super::context::DocumentCx;
 use super::frames::{self, ElementPose};
 use super::rule::{Check, Rule};
 use super::run::Chosen;
-use super::settled::{About, Basis, Settled};
+use super::settled::{Basis, OpenRules, Settled};
 use super::sink::Sink;
 use super::xml::{self, CheckedElement, Numeric};
+use base::FastMap;
 use expand::XId;
 use model::{Joint, Link, SharedIter};
 
-/// A rule with what it does.
-type Asked<F> = Vec<(&'static Rule, F)>;
+/// A rule with its place among those that run, and what it does.
+type Asked<F> = Vec<(u16, &'static Rule, F)>;
 
 /// The rules about single elements, by what they look at.
 #[derive(Default)]
@@ -19,138 +22,131 @@ pub(super) struct Visitors {
     elements: Asked<fn(&DocumentCx<'_>, &CheckedElement, &mut Sink<'_>)>,
     numbers: Asked<fn(&DocumentCx<'_>, &Numeric, &mut Sink<'_>)>,
     links: Asked<fn(&DocumentCx<'_>, &Link, &mut Sink<'_>)>,
-    bodies: Asked<fn(&DocumentCx<'_>, &Link, &mut Sink<'_>)>,
     joints: Asked<fn(&DocumentCx<'_>, &Joint, &mut Sink<'_>)>,
     poses: Asked<fn(&DocumentCx<'_>, &ElementPose<'_>, &mut Sink<'_>)>,
 }
 
 impl Visitors {
-    /// Those among the rules that run on a document, of which everything is there or not.
-    pub(super) fn of(rules: &[&'static Rule], complete: bool) -> Self {
+    /// Those among the rules that run on a document, of which everything is there or not; all, or those at some places.
+    fn of(rules: &[&'static Rule], complete: bool, places: Option<&OpenRules>) -> Self {
         let mut visitors = Self::default();
-        for &rule in rules {
+        let rules = (0..).zip(rules.iter().copied());
+        for (place, rule) in
+            rules.filter(|(place, _)| places.is_none_or(|places| places.contains(place)))
+        {
             match rule.check {
-                Check::Element(check) => visitors.elements.push((rule, check)),
-                Check::WholeElement(check) if complete => visitors.elements.push((rule, check)),
-                Check::Number(check) => visitors.numbers.push((rule, check)),
-                Check::Link(check) => visitors.links.push((rule, check)),
-                Check::Body(check) => visitors.bodies.push((rule, check)),
-                Check::Joint(check) => visitors.joints.push((rule, check)),
-                Check::Pose(check) => visitors.poses.push((rule, check)),
+                Check::Element(check) => visitors.elements.push((place, rule, check)),
+                Check::WholeElement(check) if complete => {
+                    visitors.elements.push((place, rule, check));
+                }
+                Check::Number(check) => visitors.numbers.push((place, rule, check)),
+                Check::Link(check) => visitors.links.push((place, rule, check)),
+                Check::Joint(check) => visitors.joints.push((place, rule, check)),
+                Check::Pose(check) => visitors.poses.push((place, rule, check)),
                 _ => {}
             }
         }
         visitors
     }
+}
 
-    /// Ask about all elements of a document but those that are settled; what is settled now.
-    pub(super) fn run(
-        &self,
-        cx: &DocumentCx<'_>,
-        chosen: Chosen<'_>,
-        before: &Settled,
-        sink: &mut Sink<'_>,
-    ) -> Settled {
-        let mut settled = Settled::on(Basis::of(cx, chosen.rules));
-        let is_same = before.rests_on(&settled);
-        let root = xml::root_element(cx);
-        self.ask_element(cx, &root, sink);
-        let mut children = Children::of(cx);
-        let ask_all = |child: Child<'_>, sink: &mut Sink<'_>| {
-            for about in About::ALL {
-                self.ask(about, cx, &root, child, sink);
-            }
-        };
-        for (step, elements) in cx.steps() {
-            children.run_until(Some(elements.start), |child| ask_all(child, sink));
-            let mut asked = About::ALL.map(|about| Asking {
-                about,
-                is_known: is_same && before.holds(about, &step),
-                is_settled: true,
-            });
-            children.run_until(Some(elements.end), |child| {
-                for asking in asked.iter_mut().filter(|asking| !asking.is_known) {
-                    let found = sink.reported();
-                    cx.start_watch();
-                    self.ask(asking.about, cx, &root, child, sink);
-                    asking.is_settled &= !cx.looked_beyond() && sink.reported() == found;
-                }
-            });
-            for asking in asked.into_iter().filter(|asking| asking.is_settled) {
-                settled.add(asking.about, step.clone());
-            }
-            if chosen.cancel.is_cancelled() {
-                return settled;
-            }
-        }
-        children.run_until(None, |child| ask_all(child, sink));
-        settled
-    }
-
-    /// Ask about a child of the root and all that is in it.
-    fn ask(
-        &self,
-        about: About,
-        cx: &DocumentCx<'_>,
-        root: &CheckedElement,
-        child: Child<'_>,
-        sink: &mut Sink<'_>,
-    ) {
-        if about == About::Shapes {
-            if let Some(link) = child.link {
-                each(&self.bodies, sink, |check, sink| check(cx, link, sink));
-            }
-            return;
-        }
-        xml::each_below(cx, root, child.id, |element| {
-            self.ask_element(cx, element, sink);
+/// Ask about all elements of a document, but not what is known from before; what is known now.
+pub(super) fn visit(
+    cx: &DocumentCx<'_>,
+    chosen: Chosen<'_>,
+    before: &Settled,
+    sink: &mut Sink<'_>,
+) -> Settled {
+    let mut settled = Settled::on(Basis::of(cx, chosen.rules));
+    let is_same = before.rests_on(&settled);
+    let all = Visitors::of(chosen.rules, cx.complete, None);
+    let mut some: FastMap<&OpenRules, Visitors> = FastMap::default();
+    let root = xml::root_element(cx);
+    let mut visit = Visit {
+        cx,
+        root: &root,
+        sink,
+        open: OpenRules::new(),
+    };
+    visit.element(&all, &root);
+    let mut children = Children::of(cx);
+    for (step, elements) in cx.steps() {
+        children.run_until(Some(elements.start), |child| visit.child(&all, child));
+        let known = before.open_rules(&step).filter(|_| is_same);
+        let visitors = known.map(|open| {
+            let of_these = || Visitors::of(chosen.rules, cx.complete, Some(open));
+            &*some.entry(open).or_insert_with(of_these)
         });
+        visit.open.clear();
+        children.run_until(Some(elements.end), |child| {
+            if known.is_none_or(|open| !open.is_empty()) {
+                visit.child(visitors.unwrap_or(&all), child);
+            }
+        });
+        settled.add(step, visit.open.clone());
+        if chosen.cancel.is_cancelled() {
+            return settled;
+        }
+    }
+    children.run_until(None, |child| visit.child(&all, child));
+    settled
+}
+
+/// Who is asked about what, and what they say.
+struct Visit<'v, 'a, 's> {
+    cx: &'v DocumentCx<'a>,
+    root: &'v CheckedElement,
+    sink: &'v mut Sink<'s>,
+    /// The rules that found something, or looked at something else to know.
+    open: OpenRules,
+}
+
+impl Visit<'_, '_, '_> {
+    /// Ask about a child of the root and all that is in it.
+    fn child(&mut self, visitors: &Visitors, child: Child<'_>) {
+        if !(visitors.elements.is_empty() && visitors.numbers.is_empty()) {
+            let (cx, root) = (self.cx, self.root);
+            xml::each_below(cx, root, child.id, |element| {
+                self.element(visitors, element)
+            });
+        }
         if let Some(link) = child.link {
-            self.ask_link(cx, link, sink);
+            self.each(&visitors.links, |check, cx, sink| check(cx, link, sink));
+            for pose in frames::poses_of_link(link) {
+                self.each(&visitors.poses, |check, cx, sink| check(cx, &pose, sink));
+            }
         }
         if let Some(joint) = child.joint {
-            self.ask_joint(cx, joint, sink);
+            self.each(&visitors.joints, |check, cx, sink| check(cx, joint, sink));
+            if let Some(pose) = frames::pose_of_joint(joint) {
+                self.each(&visitors.poses, |check, cx, sink| check(cx, &pose, sink));
+            }
         }
     }
 
-    fn ask_element(&self, cx: &DocumentCx<'_>, element: &CheckedElement, sink: &mut Sink<'_>) {
-        each(&self.elements, sink, |check, sink| check(cx, element, sink));
-        if !self.numbers.is_empty() {
-            xml::each_number(cx, element, |number| {
-                each(&self.numbers, sink, |check, sink| check(cx, number, sink));
+    fn element(&mut self, visitors: &Visitors, element: &CheckedElement) {
+        self.each(&visitors.elements, |check, cx, sink| {
+            check(cx, element, sink)
+        });
+        if !visitors.numbers.is_empty() {
+            xml::each_number(self.cx, element, |number| {
+                self.each(&visitors.numbers, |check, cx, sink| check(cx, number, sink));
             });
         }
     }
 
-    fn ask_link(&self, cx: &DocumentCx<'_>, link: &Link, sink: &mut Sink<'_>) {
-        each(&self.links, sink, |check, sink| check(cx, link, sink));
-        for pose in frames::poses_of_link(link) {
-            each(&self.poses, sink, |check, sink| check(cx, &pose, sink));
+    fn each<F: Copy>(&mut self, asked: &Asked<F>, ask: impl Fn(F, &DocumentCx<'_>, &mut Sink<'_>)) {
+        for &(place, rule, check) in asked {
+            self.sink.set_rule(rule);
+            let found = self.sink.reported();
+            self.cx.start_watch();
+            ask(check, self.cx, self.sink);
+            let is_open = self.cx.looked_beyond() || self.sink.reported() != found;
+            if is_open && !self.open.contains(&place) {
+                self.open.push(place);
+            }
         }
     }
-
-    fn ask_joint(&self, cx: &DocumentCx<'_>, joint: &Joint, sink: &mut Sink<'_>) {
-        each(&self.joints, sink, |check, sink| check(cx, joint, sink));
-        if let Some(pose) = frames::pose_of_joint(joint) {
-            each(&self.poses, sink, |check, sink| check(cx, &pose, sink));
-        }
-    }
-}
-
-fn each<F: Copy>(asked: &Asked<F>, sink: &mut Sink<'_>, mut ask: impl FnMut(F, &mut Sink<'_>)) {
-    for &(rule, check) in asked {
-        sink.set_rule(rule);
-        ask(check, sink);
-    }
-}
-
-/// What is asked about a step.
-struct Asking {
-    about: About,
-    /// Whether it was settled before.
-    is_known: bool,
-    /// Whether it is now.
-    is_settled: bool,
 }
 
 /// A child of the root, and what it is to the robot.
@@ -163,9 +159,9 @@ struct Child<'a> {
 
 /// The children of the root that are left, in document order, which is that of the links and joints of the robot.
 struct Children<'a, I: Iterator<Item = XId>> {
-    ids: std::iter::Peekable<I>,
-    links: std::iter::Peekable<SharedIter<'a, Link>>,
-    joints: std::iter::Peekable<SharedIter<'a, Joint>>,
+    ids: Peekable<I>,
+    links: Peekable<SharedIter<'a, Link>>,
+    joints: Peekable<SharedIter<'a, Joint>>,
 }
 
 impl<'a> Children<'a, std::iter::Empty<XId>> {

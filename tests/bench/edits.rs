@@ -1,6 +1,7 @@
 //! What one edit costs, for callgrind to count and for the clock.
 //!
 //!     edits expand|check CALLS EDITS     edit a number in one call of a large robot, so many times
+//!     edits file ROBOT PLACE EDITS       the same in a file, behind a text in it
 //!     edits dependants ROBOTS                 edit a part that so many open robots include
 //!
 //! The instructions of 2N edits less those of N edits, divided by N, are those of one (`edits.py` does that).
@@ -31,9 +32,14 @@ fn main() {
     match args.first().map(String::as_str) {
         None => [(100, 20), (1000, 20)]
             .into_iter()
-            .for_each(|(calls, edits)| edit("check", calls, edits)),
+            .for_each(|(calls, edits)| edit_call("check", calls, edits)),
         Some("dependants") => dependants(number(1)),
-        Some(what) => edit(what, number(1), number(2)),
+        Some("file") => {
+            let text = std::fs::read_to_string(&args[1]).unwrap();
+            let at = text.find(&args[2]).unwrap() + args[2].len();
+            edit("check", text, at, number(3));
+        }
+        Some(what) => edit_call(what, number(1), number(2)),
     }
 }
 
@@ -47,20 +53,28 @@ fn host(folder: &Path) -> AnalysisHost {
 }
 
 /// Edit the number in the call in the middle, and expand the robot, or check it.
-fn edit(what: &str, calls: usize, edits: usize) {
-    let (folder, path) = (Path::new("/nowhere"), Path::new("/nowhere/bench.xacro"));
-    let (mut host, text, none) = (host(folder), robot(calls), CancelFlag::default());
+fn edit_call(what: &str, calls: usize, edits: usize) {
     let call = format!("parent=\"s{}\" radius=\"", calls / 2);
-    let at = (text.find(&call).unwrap() + call.len()) as u32;
+    let text = robot(calls);
+    let at = text.find(&call).unwrap() + call.len();
+    edit(what, text, at, edits);
+}
+
+/// Edit the value that begins at a place, and expand the robot, or check it.
+fn edit(what: &str, text: String, at: usize, edits: usize) {
+    let (folder, path) = (Path::new("/nowhere"), Path::new("/nowhere/bench.xacro"));
+    let (mut host, none) = (host(folder), CancelFlag::default());
+    let mut length = text[at..].find('"').unwrap() as u32;
+    let (at, lines) = (at as u32, text.lines().count());
     host.set_text(path, text);
     let open = [path.to_owned()];
     let known = host.report(&open, &none).unwrap().findings.len();
-    let mut old = format!("${{r_{}}}", calls / 2);
     let mut seen = Vec::new();
+    let start = Instant::now();
     for number in 0..edits {
         let new = format!("0.{:04}", 1000 + number % 9000);
-        host.edit(path, TextRange::new(at, at + old.len() as u32), &new);
-        old = new;
+        host.edit(path, TextRange::new(at, at + length), &new);
+        length = new.len() as u32;
         seen.push(match what {
             "expand" => host
                 .analyzed(&RootConfig::plain(path), &none)
@@ -71,8 +85,11 @@ fn edit(what: &str, calls: usize, edits: usize) {
             _ => host.report(&open, &none).unwrap().findings.len(),
         });
     }
+    let each = start.elapsed().as_secs_f64() * 1e3 / edits.max(1) as f64;
     seen.dedup();
-    println!("{what}: {calls} calls, {edits} edits, {known} findings before, {seen:?} after");
+    println!(
+        "{what}: {lines} lines, {edits} edits, {each:.2} ms each, {known} findings before, {seen:?} after"
+    );
 }
 
 /// A part that many robots include: what its author waits for, and how long it takes until all are checked.

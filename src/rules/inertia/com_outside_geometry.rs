@@ -15,7 +15,7 @@ pub(super) static RULE: Rule = Rule {
     since: "0.1",
     fix: None,
     docs: page("com-outside-geometry"),
-    check: Check::Body(check),
+    check: Check::Link(check),
 };
 
 /// Distance that no center of mass has from the frame of its link, meters.

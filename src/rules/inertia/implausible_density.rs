@@ -17,7 +17,7 @@ pub(super) static RULE: Rule = Rule {
     since: "0.1",
     fix: None,
     docs: page("implausible-density"),
-    check: Check::Body(check),
+    check: Check::Link(check),
 };
 
 /// Smaller volumes say nothing, cubic meters.

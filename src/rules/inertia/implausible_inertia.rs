@@ -18,7 +18,7 @@ pub(super) static RULE: Rule = Rule {
     since: "0.1",
     fix: None,
     docs: page("implausible-inertia"),
-    check: Check::Body(check),
+    check: Check::Link(check),
 };
 
 /// Radius of gyration that no link without geometry has, meters.

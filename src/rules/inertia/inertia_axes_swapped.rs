@@ -16,7 +16,7 @@ pub(super) static RULE: Rule = Rule {
     since: "0.1",
     fix: None,
     docs: page("inertia-axes-swapped"),
-    check: Check::Body(check),
+    check: Check::Link(check),
 };
 
 /// How far a moment may be from that of a box.

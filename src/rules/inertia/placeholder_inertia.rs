@@ -15,7 +15,7 @@ pub(super) static RULE: Rule = Rule {
     since: "0.1",
     fix: None,
     docs: page("placeholder-inertia"),
-    check: Check::Body(check),
+    check: Check::Link(check),
 };
 
 fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
