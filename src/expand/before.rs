@@ -4,13 +4,11 @@ use super::memo::{Memo, StepResult};
 use super::origin::SrcId;
 use super::request::Request;
 
-/// The last expansion of the same root, and how far it is known to agree with this one.
+/// The last expansion of the same root.
 #[derive(Clone, Copy)]
 pub(super) struct Before<'w> {
     pub expansion: &'w Expansion,
     pub memo: &'w Memo,
-    /// So many frames at the front are the same.
-    pub same_frames: usize,
 }
 
 impl<'w> Before<'w> {
@@ -21,11 +19,7 @@ impl<'w> Before<'w> {
             .memo
             .as_deref()
             .filter(|memo| memo.request.is_same(request))?;
-        Some(Self {
-            expansion,
-            memo,
-            same_frames: 0,
-        })
+        Some(Self { expansion, memo })
     }
 
     pub fn step(&self, call: (SrcId, xml::NodeId)) -> Option<&'w StepResult> {

@@ -98,6 +98,11 @@ impl Evaluations {
             .map(|evaluation| &evaluation.value)
     }
 
+    /// The places of all from one on.
+    pub(super) fn places_from(&self, first: usize) -> impl Iterator<Item = Origin> {
+        self.list.iter().skip(first).map(|one| one.at)
+    }
+
     /// Add a part of others.
     pub(super) fn extend_from(&mut self, others: &Self, part: Range<usize>) {
         self.list

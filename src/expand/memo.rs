@@ -11,7 +11,7 @@ use std::sync::Arc;
 use ecow::EcoString;
 
 use super::binding_info::BindingId;
-use super::origin::SrcId;
+use super::origin::{FrameId, SrcId};
 use super::record::Read;
 use super::request::Request;
 use super::scope::{NamesRead, SrcRef};
@@ -66,6 +66,8 @@ pub(super) struct StepMemo {
     /// The tag of the call.
     pub call: (SrcId, NodeId),
     pub reads: StepReads,
+    /// The frames from before it that what it gives refers to.
+    pub outer_frames: Vec<FrameId>,
     /// What it adds to the lists of the expansion.
     pub frames: Range<usize>,
     pub bindings: Range<usize>,

@@ -4,17 +4,19 @@ use std::sync::Arc;
 use ecow::EcoString;
 
 use super::expander::Expander;
+use super::expansion::Expansion;
 use super::macro_table::Macros;
 use super::memo::{ForcedProperty, Memo, Recorder, StepMemo, StepReads, StepResult};
 use super::origin::{FrameId, SrcId};
 use super::plain::is_plain;
 use super::record::Read;
+use super::replay::frames_in;
 use super::request::Request;
 use super::scope::Scopes;
 use super::state::EvalContext;
 use super::tag::Tag;
 use super::tree::{XId, XKind};
-use base::CancelFlag;
+use base::{CancelFlag, Id};
 use xml::NodeId;
 
 /// How things stood when a step began.
@@ -164,6 +166,7 @@ impl Expander<'_> {
         let moves_marker = result.tree.parent(self.marker) != start.marker;
         Some(StepMemo {
             call,
+            outer_frames: self.outer_frames(body?, &start),
             reads: StepReads {
                 names,
                 macros: macros?,
@@ -187,6 +190,34 @@ impl Expander<'_> {
             ),
             moves_marker,
         })
+    }
+
+    /// The frames from before a step that what it gives refers to.
+    fn outer_frames(&self, body: XId, start: &Start) -> Vec<FrameId> {
+        let Expansion {
+            tree,
+            frames,
+            index,
+            ..
+        } = &self.result;
+        let frames = frames.iter().skip(start.frames).flat_map(frames_in);
+        let of_tree = tree.below(body).map(|id| tree.get(id)).flat_map(|node| {
+            let attrs = node.attrs.iter().map(|attr| attr.origin);
+            let pieces = node.attrs.iter().flat_map(|attr| &attr.pieces);
+            let sources = pieces.map(|piece| piece.source);
+            std::iter::once(node.origin).chain(attrs).chain(sources)
+        });
+        let bindings = index.bindings.iter().skip(start.bindings);
+        let origins = of_tree
+            .chain(bindings.filter_map(|info| info.origin))
+            .chain(index.evaluations.places_from(start.evaluations));
+        let mut outer = Vec::new();
+        for frame in frames.chain(origins.map(|origin| origin.frame)) {
+            if frame.index() < start.frames && !outer.contains(&frame) {
+                outer.push(frame);
+            }
+        }
+        outer
     }
 
     /// How many elements the content of a call has, when they are all that it has: beside them only blank text, and nothing

@@ -3,11 +3,10 @@ use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 
-use super::before::Before;
 use super::expander::Expander;
 use super::expansion::Expansion;
 use super::memo::{StepMemo, StepReads, StepResult};
-use super::origin::{Frame, SrcId};
+use super::origin::{Frame, FrameId, SrcId};
 use super::plain::is_same_value;
 use super::scope::{Binding, Block, PropertyState, Scopes};
 use super::state::EvalContext;
@@ -28,18 +27,17 @@ impl Expander<'_> {
         out: XId,
         cx: EvalContext,
     ) -> bool {
-        let Some(mut before) = self.steps.before else {
+        let Some(before) = self.steps.before else {
             return false;
         };
         let Some(kept) = before.step((tag.src, tag.node.id())) else {
             return false;
         };
         let holds = self.has_room(&kept.step)
-            && self.stands_alike(&mut before, &kept.step)
+            && self.stands_alike(before.expansion, &kept.step)
             && self.reads_alike(before.expansion, &kept.step.reads)
             && self.refers_alike(before.expansion, &kept.step)
             && (!kept.step.moves_marker || self.takes_marker(has_next, out));
-        self.steps.before = Some(before);
         if holds {
             self.steps.taken_over += 1;
             let evaluations = self.result.index.evaluations.len();
@@ -79,26 +77,37 @@ impl Expander<'_> {
     }
 
     /// Whether what the step adds gets the same numbers as before, and the ways that led there are the same.
-    fn stands_alike(&self, before: &mut Before<'_>, step: &StepMemo) -> bool {
+    fn stands_alike(&self, before: &Expansion, step: &StepMemo) -> bool {
         let result = &self.result;
-        let (frames, bindings, reads) = (
+        let numbers = (
             result.frames.len(),
             result.index.bindings.len(),
             result.index.reads.len(),
         );
-        if (frames, bindings, reads)
-            != (step.frames.start, step.bindings.start, step.read_list.start)
-        {
-            return false;
+        numbers == (step.frames.start, step.bindings.start, step.read_list.start)
+            && self.leads_alike(before, &step.outer_frames)
+    }
+
+    /// Whether frames are the same, and all that they refer to.
+    fn leads_alike(&self, before: &Expansion, frames: &[FrameId]) -> bool {
+        let mut open = frames.to_vec();
+        let mut next = 0;
+        while let Some(&id) = open.get(next) {
+            next += 1;
+            let (Some(then), Some(now)) = (before.frames.get(id), self.result.frames.get(id))
+            else {
+                return false;
+            };
+            if !is_same_frame(then, now) {
+                return false;
+            }
+            for other in frames_in(now) {
+                if !open.contains(&other) {
+                    open.push(other);
+                }
+            }
         }
-        let unknown = before.same_frames..frames;
-        let known = part(before.expansion.frames.as_slice(), &unknown);
-        let same = known
-            .iter()
-            .zip(part(result.frames.as_slice(), &unknown))
-            .take_while(|(a, b)| is_same_frame(a, b));
-        before.same_frames += same.count();
-        before.same_frames == frames
+        true
     }
 
     /// Whether what the step reads says the same as before.
@@ -278,6 +287,12 @@ fn seen(expansion: &Expansion, src: SrcId) -> Option<(&Arc<Item>, &Arc<Item>, &P
     let file = expansion.files.get(source.file)?;
     let header = expansion.sources.get(file.first_source)?;
     Some((&source.item, &header.item, &file.source.path))
+}
+
+/// The frames that a frame refers to.
+pub(super) fn frames_in(frame: &Frame) -> impl Iterator<Item = FrameId> {
+    let definition = frame.definition.map(|definition| definition.frame);
+    definition.into_iter().chain([frame.call.frame])
 }
 
 fn is_same_frame(a: &Frame, b: &Frame) -> bool {

@@ -1,7 +1,7 @@
 //! What one edit costs, for callgrind to count and for the clock.
 //!
 //!     edits expand|check CALLS EDITS     edit a number in one call of a large robot, so many times
-//!     edits file ROBOT PLACE EDITS       the same in a file, behind a text in it
+//!     edits type ROBOT PLACE EDITS       type letters behind a text in a file and delete them again, so many keys
 //!     edits dependants ROBOTS                 edit a part that so many open robots include
 //!
 //! The instructions of 2N edits less those of N edits, divided by N, are those of one (`edits.py` does that).
@@ -34,10 +34,10 @@ fn main() {
             .into_iter()
             .for_each(|(calls, edits)| edit_call("check", calls, edits)),
         Some("dependants") => dependants(number(1)),
-        Some("file") => {
+        Some("type") => {
             let text = std::fs::read_to_string(&args[1]).unwrap();
             let at = text.find(&args[2]).unwrap() + args[2].len();
-            edit("check", text, at, number(3));
+            edit("type", text, at, number(3));
         }
         Some(what) => edit_call(what, number(1), number(2)),
     }
@@ -72,9 +72,17 @@ fn edit(what: &str, text: String, at: usize, edits: usize) {
     let mut seen = Vec::new();
     let start = Instant::now();
     for number in 0..edits {
-        let new = format!("0.{:04}", 1000 + number % 9000);
-        host.edit(path, TextRange::new(at, at + length), &new);
-        length = new.len() as u32;
+        let (range, new) = match (what, number as u32 % 6) {
+            ("type", key @ 0..3) => (TextRange::empty(at + key), "x".to_owned()),
+            ("type", key) => (TextRange::new(at + 5 - key, at + 6 - key), String::new()),
+            _ => {
+                let new = format!("0.{:04}", 1000 + number % 9000);
+                let old = TextRange::new(at, at + length);
+                length = new.len() as u32;
+                (old, new)
+            }
+        };
+        host.edit(path, range, &new);
         seen.push(match what {
             "expand" => host
                 .analyzed(&RootConfig::plain(path), &none)
