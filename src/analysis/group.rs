@@ -1,6 +1,8 @@
 //! One defect, one finding: places of one defect are put together at the very end, for whoever reads the report.
 //! Until then each place is a finding of its own: suppressions, baselines, fixes and `--changed` count places.
 use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+use std::sync::Arc;
 
 use indexmap::IndexMap;
 
@@ -32,7 +34,10 @@ impl Report {
             let mut members = group
                 .iter()
                 .filter_map(|&i| findings.get_mut(i).and_then(Option::take));
-            let joined = members.next().map(|first| join(first, members.collect()));
+            let mut joined = members.next().map(|first| join(first, members.collect()));
+            // files have numbers in the order in which they were read, which is another one each time
+            let edits = joined.iter_mut().flat_map(|joined| &mut joined.fix);
+            edits.for_each(|fix| sort_by_path(&mut fix.edits, &self.paths));
             if let Some(place) = group.first().and_then(|&at| findings.get_mut(at)) {
                 *place = joined;
             }
@@ -275,6 +280,10 @@ fn joined_fix(mut fix: Fix, others: Vec<Fix>) -> Fix {
     }
     fix.edits = taken.into_values().collect();
     fix
+}
+
+fn sort_by_path(edits: &mut [Edit], paths: &BTreeMap<FileId, Arc<Path>>) {
+    edits.sort_by_key(|edit| (paths.get(&edit.span.file), edit.span.range.start));
 }
 
 fn place_of(edit: &Edit) -> (FileId, u32, u32) {

@@ -6,6 +6,7 @@ use indexmap::IndexMap;
 
 use super::report::Report;
 use base::Span;
+use ecow::EcoString;
 use rules::{CallSite, Finding, Related, Severity};
 use vfs::Vfs;
 
@@ -69,7 +70,7 @@ pub(super) fn place(report: &mut Report, vfs: &Vfs, is_open: impl Fn(&Path) -> b
 fn as_in(finding: &Finding, call: Span) -> Finding {
     let sites = &finding.call_sites;
     let message = match sites.iter().find(|site| site.call == call) {
-        Some(site) => site.message.clone(),
+        Some(site) => site.message.to_string(),
         None if sites.iter().all(|site| site.message == finding.message) => finding.message.clone(),
         None => format!("`{}` in what it expands to", finding.rule.name),
     };
@@ -212,15 +213,15 @@ fn at_call(finding: &Finding, site: &CallSite) -> Finding {
     let alone = finding.call_sites.len() == 1;
     Finding {
         span,
-        message: site.message.clone(),
-        help: site.help.clone(),
+        message: site.message.to_string(),
+        help: site.help.as_ref().map(EcoString::to_string),
         related: std::iter::once(body)
             .chain(others.filter(own).cloned())
             .collect(),
         similar: finding
             .similar
             .clone()
-            .filter(|_| site.help == finding.help),
+            .filter(|_| site.help.as_deref() == finding.help.as_deref()),
         fix: finding.fix.clone().filter(|_| alone),
         call_sites: Vec::new(),
         ..finding.clone()

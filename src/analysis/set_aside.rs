@@ -415,7 +415,7 @@ pub(super) fn leave_out_copies(session: &Session, results: &mut [RootResult]) {
             continue;
         };
         let said = |finding: &Finding| {
-            let ways = finding.call_sites.iter().map(|way| way.message.clone());
+            let ways = finding.call_sites.iter().map(|way| way.message.to_string());
             let (code, severity) = (finding.rule.code, finding.severity);
             ways.chain([finding.message.clone()])
                 .map(|message| (code, severity, message))

@@ -66,8 +66,6 @@ pub(super) struct StepMemo {
     /// The tag of the call.
     pub call: (SrcId, NodeId),
     pub reads: StepReads,
-    /// The frames from before it that what it gives refers to.
-    pub outer_frames: Vec<FrameId>,
     /// What it adds to the lists of the expansion.
     pub frames: Range<usize>,
     pub bindings: Range<usize>,
@@ -106,6 +104,8 @@ pub(super) struct StepReads {
     pub packages: Vec<(EcoString, PathBuf, PathBuf)>,
     /// Items whose text was evaluated.
     pub sources: Vec<SrcId>,
+    /// Frames that what it gives refers to.
+    pub frames: Vec<FrameId>,
 }
 
 /// A lazy property of the document that was evaluated.

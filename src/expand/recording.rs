@@ -166,10 +166,10 @@ impl Expander<'_> {
         let moves_marker = result.tree.parent(self.marker) != start.marker;
         Some(StepMemo {
             call,
-            outer_frames: self.outer_frames(body?, &start),
             reads: StepReads {
                 names,
                 macros: macros?,
+                frames: self.outer_frames(body?, &start),
                 ..recorder.reads
             },
             frames: start.frames..result.frames.len(),

@@ -34,7 +34,7 @@ impl Expander<'_> {
             return false;
         };
         let holds = self.has_room(&kept.step)
-            && self.stands_alike(before.expansion, &kept.step)
+            && self.stands_alike(&kept.step)
             && self.reads_alike(before.expansion, &kept.step.reads)
             && self.refers_alike(before.expansion, &kept.step)
             && (!kept.step.moves_marker || self.takes_marker(has_next, out));
@@ -76,8 +76,8 @@ impl Expander<'_> {
             && self.result.index.evaluations.has_room(step.evaluations)
     }
 
-    /// Whether what the step adds gets the same numbers as before, and the ways that led there are the same.
-    fn stands_alike(&self, before: &Expansion, step: &StepMemo) -> bool {
+    /// Whether what the step adds gets the same numbers as before.
+    fn stands_alike(&self, step: &StepMemo) -> bool {
         let result = &self.result;
         let numbers = (
             result.frames.len(),
@@ -85,7 +85,6 @@ impl Expander<'_> {
             result.index.reads.len(),
         );
         numbers == (step.frames.start, step.bindings.start, step.read_list.start)
-            && self.leads_alike(before, &step.outer_frames)
     }
 
     /// Whether frames are the same, and all that they refer to.
@@ -118,9 +117,11 @@ impl Expander<'_> {
             args,
             packages,
             sources,
+            frames,
         } = reads;
         let same_source = |src: &SrcId| self.is_same_source(before, *src);
-        sources.iter().all(same_source)
+        self.leads_alike(before, frames)
+            && sources.iter().all(same_source)
             && names.iter().all(|(name, then)| {
                 let now = self
                     .names

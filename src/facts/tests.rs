@@ -1,6 +1,6 @@
 //! Facts of small documents, printed.
 
-use super::facts;
+use super::{Marks, facts, facts_of};
 use xml::Document;
 
 #[track_caller]
@@ -22,6 +22,54 @@ fn check(text: &str, expected: &[&str]) {
         }
     }
     assert_eq!(found, expected);
+}
+
+#[test]
+fn marks_say_what_an_item_may_hold() {
+    let table = [
+        ("<link name='a'><visual/></link>", Marks::default()),
+        (
+            "<xacro:if value='1'><link/></xacro:if>",
+            Marks {
+                condition: true,
+                ..Marks::default()
+            },
+        ),
+        (
+            "<!-- Xacro-Lint: disable-file x --><link/>",
+            Marks {
+                lint: true,
+                ..Marks::default()
+            },
+        ),
+        (
+            "<mesh filename='$(find arm)/a.stl'/>",
+            Marks {
+                package: true,
+                ..Marks::default()
+            },
+        ),
+        (
+            "<gazebo><a>package://arm/a.stl</a></gazebo>",
+            Marks {
+                package: true,
+                other_tag: true,
+                ..Marks::default()
+            },
+        ),
+        (
+            "<property name='lint' value='1'/>",
+            Marks {
+                other_tag: true,
+                ..Marks::default()
+            },
+        ),
+    ];
+    for (text, expected) in table {
+        let document = Document::parse(&format!("<robot>{text}</robot>"));
+        let (_, item) = document.items().next().unwrap();
+        assert_eq!(facts_of(item).marks, expected, "{text}");
+    }
 }
 
 #[test]

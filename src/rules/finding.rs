@@ -50,10 +50,10 @@ pub struct CallSite {
     pub name: EcoString,
     /// What the call passes, when the text that is wrong is a parameter and nothing else.
     pub argument: Option<Span>,
-    /// What there is to say about this call.
-    pub message: String,
+    /// What there is to say about this call. Findings are copied for each report, and some are in thousands of calls.
+    pub message: EcoString,
     /// What to do here.
-    pub help: Option<String>,
+    pub help: Option<EcoString>,
 }
 
 impl Finding {

@@ -6,6 +6,7 @@ use super::grouping::Group;
 use super::rule::{Rule, Safety, Severity};
 use base::limits::FINDINGS_OF_A_RULE;
 use base::{FastMap, FastSet, Span, TextRange};
+use ecow::EcoString;
 use expand::{
     Expansion, FileIdx, FileRange, Frame, FrameKind, Origin, blamed_argument, depends_on_parameter,
 };
@@ -151,8 +152,8 @@ impl<'a> Sink<'a> {
             call: self.span_of(frame.call)?,
             name: frame.name.clone(),
             argument: self.argument(origin),
-            message: finding.message.clone(),
-            help: finding.help.clone(),
+            message: finding.message.as_str().into(),
+            help: finding.help.as_deref().map(EcoString::from),
         })
     }
 

@@ -69,6 +69,16 @@ pub(super) fn is_xacro_uri(uri: &str) -> bool {
 #[cfg(test)]
 mod tests {
     #[test]
+    fn no_rule_about_forgotten_prefixes_speaks_of_an_ordinary_tag() {
+        for tag in facts::ORDINARY_TAGS {
+            assert!(super::is_urdf_element(tag), "{tag}");
+            assert!(!super::is_forgotten_prefix(tag), "{tag}");
+            assert!(!super::is_free_zone(tag), "{tag}");
+            assert!(!facts::is_keyword(tag), "{tag}");
+        }
+    }
+
+    #[test]
     fn words() {
         assert!(
             ["robot", "link", "capsule", "gazebo", "ros2_control"].map(super::is_urdf_element)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Begin a rule: its file, its lines in the category and its page, ready to be filled in.
 
-    tests/new_rule/new_rule.py CATEGORY NAME [--check document|whole-document|robot|whole|file] [--severity SEVERITY] [--off]
+    tests/new_rule/new_rule.py CATEGORY NAME [--check link|joint|element|document|whole-document|robot|whole|file] [--severity SEVERITY] [--off]
 
 CATEGORY is a folder of src/rules (joint, frames, ...), NAME the name of the rule (kebab-case). What it writes compiles and finds
 nothing. The page docs/contributing/rules.md goes on from there.
@@ -12,13 +12,16 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-# what a check is given, and the variant and the type of it
+# what a check is given: the variant, the context, and the one thing that it looks at
 CHECKS = {
-    'file': ('File', 'FileCx'),
-    'document': ('Document', 'DocumentCx'),
-    'whole-document': ('WholeDocument', 'DocumentCx'),
-    'robot': ('Robot', 'RobotCx'),
-    'whole': ('Whole', 'RobotCx'),
+    'file': ('File', 'FileCx', None),
+    'link': ('Link', 'DocumentCx', 'model::Link'),
+    'joint': ('Joint', 'DocumentCx', 'model::Joint'),
+    'element': ('Element', 'DocumentCx', 'super::super::xml::CheckedElement'),
+    'document': ('Document', 'DocumentCx', None),
+    'whole-document': ('WholeDocument', 'DocumentCx', None),
+    'robot': ('Robot', 'RobotCx', None),
+    'whole': ('Whole', 'RobotCx', None),
 }
 
 RULE = '''//! TODO: what is wrong, as the beginning of a sentence.
@@ -26,7 +29,7 @@ RULE = '''//! TODO: what is wrong, as the beginning of a sentence.
 use super::super::context::{context};
 use super::super::rule::{{Activation, Category, Check, Rule, Severity, page}};
 use super::super::sink::Sink;
-
+{uses}
 pub(super) static RULE: Rule = Rule {{
     code: "{code}",
     name: "{name}",
@@ -39,7 +42,7 @@ pub(super) static RULE: Rule = Rule {{
     check: Check::{check}(check),
 }};
 
-fn check(_cx: &{context}<'_>, _out: &mut Sink<'_>) {{}}
+fn check(_cx: &{context}<'_>, {argument}_out: &mut Sink<'_>) {{}}
 '''
 
 PAGE = '''# {name}
@@ -112,10 +115,13 @@ def begin(args, folder, page):
     texts = ''.join(path.read_text() for path in folder.glob('*.rs'))
     letters, category = re.search(r'"([A-Z]{3})\d{3}"', texts)[1], re.search(r'Category::(\w+)', texts)[1]
     taken = [int(number) for number in re.findall(rf'"{letters}(\d{{3}})"', texts)]
-    variant, context = CHECKS[args.check]
+    variant, context, looks_at = CHECKS[args.check]
+    uses = f'use {looks_at};\n' if looks_at else ''
+    argument = f'_{args.check}: &{looks_at.split("::")[-1]}, ' if looks_at else ''
     version = re.search(r'^version = "(\d+\.\d+)', (args.root / 'Cargo.toml').read_text(), re.MULTILINE)
     values = {
         'name': args.name, 'code': f'{letters}{max(taken) + 1:03}', 'category': category, 'check': variant, 'context': context,
+        'uses': uses, 'argument': argument,
         'since': version[1] if version else '0.1',
     }
     module = args.name.replace('-', '_')

@@ -46,12 +46,14 @@ class Begun(unittest.TestCase):
         self.assertTrue(all(f'```urdf,{kind}' in page for kind in ('bad', 'good')))
 
     def test_each_kind_of_check(self):
-        for kind, (variant, context) in new_rule.CHECKS.items():
+        for kind, (variant, context, looks_at) in new_rule.CHECKS.items():
             _, folder, done = begin(self, 'conventions', 'wrong-thing', '--check', kind)
             self.assertEqual(done.returncode, 0, done.stderr)
             rule = (folder / 'wrong_thing.rs').read_text()
             self.assertIn(f'check: Check::{variant}(check)', rule)
             self.assertIn(f'_cx: &{context}<', rule)
+            if looks_at:
+                self.assertIn(f'_{kind}: &{looks_at.split("::")[-1]},', rule)
 
     def test_names_that_are_refused(self):
         for arguments in (('conventions', 'Wrong'), ('conventions', 'taken-name'), ('nowhere', 'wrong-thing')):

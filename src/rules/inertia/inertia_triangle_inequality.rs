@@ -1,4 +1,5 @@
 //! Principal moments that no body has.
+use ecow::EcoString;
 use nalgebra::{Matrix3, Vector3};
 
 use super::super::context::DocumentCx;
@@ -58,10 +59,18 @@ fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
         short(b)
     );
     out.report(inertia_tag(cx.expansion, inertial), message)
-        .group(Group::Value(format!("{:?}", inertial.entries()).into()))
+        .group(Group::Value(same_numbers(inertial)))
         .severity(severity)
         .help("compute the inertia from mass and shape")
         .done();
+}
+
+/// What is the same of inertias with the same numbers.
+fn same_numbers(inertial: &Inertial) -> EcoString {
+    let entries = inertial.entries().unwrap_or_default();
+    // in hexadecimal: writing them as people read them takes longer than all else that is done here
+    let bits = entries.map(|entry| format!("{:x}", entry.to_bits()));
+    bits.join(" ").into()
 }
 
 /// The inertial of a link with its moments, if no body has them.
