@@ -14,7 +14,7 @@ use super::session::Session;
 use super::{graph, walk};
 use base::FastSet;
 use expand::{Expansion, Outside, ProblemKind};
-use model::{Kinematics, Robot};
+use model::Robot;
 use rules::{Finding, RootKind, Severity, is_plain_urdf, missing_robot_name, named, needs_names};
 
 /// What a file is for.
@@ -105,7 +105,7 @@ impl Session {
         let is_tree = (!robot.joints.is_empty() || task.reason == CheckReason::Alone)
             && robot.names_are_known()
             && above_fragment(robot).is_none()
-            && Kinematics::of(robot).roots(robot).len() == 1;
+            && robot.kinematics().roots(robot).len() == 1;
         let is_open = !expansion.whole || !is_tree || self.is_included(&task.file);
         if is_open {
             None
@@ -339,7 +339,7 @@ fn above_fragment(robot: &Robot) -> Option<&EcoString> {
         .iter()
         .filter_map(|joint| joint.parent.as_ref()?.name());
     let missing = parents.filter(|parent| !names.contains(parent)).min()?;
-    let is_fragment = !robot.links.is_empty() && Kinematics::of(robot).roots(robot).is_empty();
+    let is_fragment = !robot.links.is_empty() && robot.kinematics().roots(robot).is_empty();
     is_fragment.then_some(missing)
 }
 

@@ -28,7 +28,6 @@ pub struct RootAnalysis {
     result: OnceLock<RootResult>,
     /// What was settled when it was last checked, in the expansion before.
     before: Arc<Settled>,
-    kinematics: OnceLock<Option<Kinematics>>,
     written: OnceLock<Written>,
     /// The names that it has when it is expanded in other ways.
     pub(super) further: OnceLock<RobotNames>,
@@ -54,7 +53,6 @@ impl RootAnalysis {
             root,
             expansion,
             robot,
-            kinematics: OnceLock::new(),
             result,
             before: before.map(|old| old.settled()).unwrap_or_default(),
             written,
@@ -81,8 +79,7 @@ impl RootAnalysis {
 
     /// How the links of the robot hang together.
     pub fn kinematics(&self) -> Option<&Kinematics> {
-        let of_robot = || self.robot.as_ref().map(Kinematics::of);
-        self.kinematics.get_or_init(of_robot).as_ref()
+        self.robot.as_ref().map(Robot::kinematics)
     }
 
     /// The expanded document as text, with its map.

@@ -1,10 +1,11 @@
 //! The robot of an expanded document.
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use super::attr_value::AttrValue;
 use super::blocks::{Gazebo, Ros2Control, Transmission};
 use super::joint::{Joint, JointType};
 use super::kept::Kept;
+use super::kinematics::Kinematics;
 use super::link::{Link, Material};
 use super::shared_list::SharedList;
 use expand::{Expansion, XId, XTree};
@@ -28,6 +29,7 @@ pub struct Robot {
     pub controls: Vec<Ros2Control>,
     /// Its `transmission` elements.
     pub transmissions: Vec<Transmission>,
+    kinematics: OnceLock<Kinematics>,
 }
 
 impl Robot {
@@ -59,6 +61,7 @@ impl Robot {
             gazebo: Vec::new(),
             controls: Vec::new(),
             transmissions: Vec::new(),
+            kinematics: OnceLock::new(),
         };
         for child in tree.elements(element) {
             match tree.get(child).text.as_str() {
@@ -80,6 +83,11 @@ impl Robot {
             }
         }
         robot
+    }
+
+    /// How its links hang together; worked out once.
+    pub fn kinematics(&self) -> &Kinematics {
+        self.kinematics.get_or_init(|| Kinematics::of(self))
     }
 
     /// Whether the document stands on its own: a robot with a name and a link.

@@ -21,7 +21,7 @@ use super::vocabulary::{is_urdf_element, is_xacro_uri, outside_free_zones};
 use super::xacro::is_unprefixed;
 use base::{CancelFlag, FastSet, FileId, Span, TextRange};
 use expand::{Expansion, FileUse, Problem, ProblemKind};
-use model::{Kinematics, Robot};
+use model::Robot;
 use vfs::Vfs;
 
 /// Whether a rule does not run on a robot that errors left out a part of.
@@ -163,13 +163,12 @@ fn check_again(
     }
     sink.set_probed(false);
     if let Some(robot) = robot.filter(|_| kind == RootKind::Robot) {
-        let kinematics = Kinematics::of(robot);
         let is_there = complete && !unprefixed.structure;
         let whole = is_there && robot.names_are_known();
         let cx = RobotCx {
             expansion,
             robot,
-            kinematics: &kinematics,
+            kinematics: robot.kinematics(),
             world,
             whole,
         };

@@ -18,7 +18,7 @@ pub use symbols::declared_argument;
 
 use super::context::Cx;
 use super::locate::{NodePart, locate};
-use crate::text_names::TextNames;
+use crate::text_names::{TextNames, may_be_name};
 use base::TextRange;
 use rules::RuleEnv;
 
@@ -50,7 +50,11 @@ pub fn hover(
         return None;
     }
     let found = symbols::about(cx, &at)
-        .or_else(|| symbols::by_text(cx, world, &names(), &at))
+        .or_else(|| {
+            // the names of all texts are read for it
+            let names = may_be_name(&at).then(&names)?;
+            symbols::by_text(cx, world, &names, &at)
+        })
         .or_else(|| expression::about(cx, world, &at))
         .or_else(|| files::about(cx, world, &at))
         .or_else(|| robot::about(cx, world, &at))

@@ -14,10 +14,12 @@ mod timing;
 mod ways;
 
 use ecow::EcoString;
+use facts::{facts_of, is_keyword};
 
 pub use answers::{definitions_by_text, definitions_elsewhere, occurrences};
 pub use ways::{Documents, further_places};
 
+use crate::locate::{LocatedNode, NodePart};
 use base::{FastMap, FastSet, FileId, IdVec, Span};
 use expand::{SymbolKind, UseKind};
 
@@ -217,6 +219,24 @@ pub struct NameText {
     pub is_definition: bool,
     /// Whether it is the name in an end tag.
     pub is_end: bool,
+}
+
+/// Whether a name of a property, macro, parameter or argument may stand at a place.
+pub(crate) fn may_be_name(at: &LocatedNode<'_>) -> bool {
+    let Some(node) = at.node else { return false };
+    let tag = node.name().strip_prefix("xacro:");
+    match at.part {
+        NodePart::StartName | NodePart::EndName | NodePart::AttrName(_) => tag.is_some(),
+        NodePart::AttrValue(_) if tag.is_some_and(is_keyword) => true,
+        NodePart::AttrValue(_) | NodePart::Text => {
+            let inside = at.offset.saturating_sub(at.base);
+            let facts = facts_of(at.item);
+            facts
+                .mentions()
+                .any(|mention| mention.range.touches(inside))
+        }
+        NodePart::InTag | NodePart::Verbatim | NodePart::Between => false,
+    }
 }
 
 impl TextNames {

@@ -11,7 +11,7 @@ use model::{AttrValue, Joint, Kinematics, Link, Robot, Version, tag_start};
 pub(super) struct RobotFacts<'a, 'e> {
     pub(super) cx: &'a DocumentCx<'e>,
     pub(super) robot: &'a Robot,
-    pub(super) kinematics: Kinematics,
+    pub(super) kinematics: &'a Kinematics,
     pub(super) bodies: Vec<RigidBody>,
     /// Whether consumers read the file itself, and not what xacro makes of it.
     pub(super) is_plain: bool,
@@ -55,11 +55,11 @@ impl<'a, 'e> RobotFacts<'a, 'e> {
                 is_plain_urdf(&file.source.path)
                     && root.is_some_and(|root| root.attr("xmlns:xacro").is_none())
             });
-        let kinematics = Kinematics::of(robot);
+        let kinematics = robot.kinematics();
         Self {
             cx,
             robot,
-            bodies: bodies(robot, &kinematics),
+            bodies: bodies(robot, kinematics),
             kinematics,
             is_plain,
             version,
