@@ -22,7 +22,6 @@ pub(super) type OpenRules = Vec<u16>;
 pub(super) struct Basis {
     rules: Vec<&'static Rule>,
     kind: RootKind,
-    explicit: bool,
     complete: bool,
     version: Option<Version>,
 }
@@ -32,7 +31,6 @@ impl Basis {
         Self {
             rules: rules.to_vec(),
             kind: cx.kind,
-            explicit: cx.explicit,
             complete: cx.complete,
             version: Version::of(&cx.expansion.tree),
         }
