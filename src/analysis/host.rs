@@ -226,7 +226,8 @@ impl AnalysisHost {
             // robots may be expanded with the arguments that they give
             _ if is_launch(path) => self.epoch += u64::from(is_news),
             // what an expansion reads of them is in its record
-            _ if walk::is_description(path) || sort(path).is_some() => {}
+            _ if walk::is_description(path) => self.session.edit_description(path),
+            _ if sort(path).is_some() => {}
             // manifests are read by rules, which no record tells of
             _ => {
                 self.epoch += 1;

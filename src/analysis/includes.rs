@@ -1,13 +1,14 @@
 //! Who may include whom, read off the texts alone: conditions and arguments are not looked at.
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use rayon::prelude::*;
 
-use base::{FastMap, FastSet};
+use base::FastMap;
 use facts::{Fact, FactKind, facts};
 use packages::Packages;
-use vfs::SourceFile;
+use vfs::{SourceFile, Vfs};
 use workspace::config::Pattern;
 use workspace::{include_pattern, included_files};
 use xml::{Document, Node};
@@ -134,16 +135,17 @@ fn with_defaults(document: &Document, name: &str, left: u32) -> Vec<String> {
 }
 
 /// What the files of a workspace include, arranged so that nobody has to try every pattern on every file.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub(super) struct Included {
     files: Vec<Arc<SourceFile>>,
     /// By the beginning that is sure: who includes what.
     by_start: FastMap<PathBuf, Vec<Include>>,
-    /// The arguments that are the whole name of an included file.
-    given: FastSet<String>,
+    /// By file: the arguments that are the whole name of a file that it includes.
+    given: FastMap<Arc<Path>, Vec<String>>,
 }
 
 /// What a file includes.
+#[derive(Clone)]
 pub(super) struct Include {
     from: Arc<Path>,
     start: PathBuf,
@@ -174,14 +176,31 @@ impl Included {
             .par_iter()
             .map(|source| Self::by(source, packages))
             .collect();
-        let given = files
-            .iter()
-            .flat_map(|source| given_whole(source))
-            .collect();
-        Self {
-            files,
-            given,
-            ..Self::of(includes)
+        let mut all = Self::of(includes);
+        for source in &files {
+            all.add_given(source);
+        }
+        Self { files, ..all }
+    }
+
+    fn add_given(&mut self, source: &SourceFile) {
+        let given = given_whole(source);
+        if !given.is_empty() {
+            self.given.insert(source.path.clone(), given);
+        }
+    }
+
+    /// Put what a file says now in place of what it said before; none where it is gone.
+    fn replace(&mut self, path: &Path, source: Option<&Arc<SourceFile>>, packages: &Packages) {
+        self.files.retain(|file| *file.path != *path);
+        self.given.remove(path);
+        self.by_start
+            .values_mut()
+            .for_each(|includes| includes.retain(|include| *include.from != *path));
+        if let Some(source) = source {
+            self.files.push(source.clone());
+            self.add_given(source);
+            self.add(Self::by(source, packages));
         }
     }
 
@@ -196,19 +215,23 @@ impl Included {
 
     /// The arguments that are the whole name of a file that somebody includes.
     pub(super) fn given(&self) -> impl Iterator<Item = &str> {
-        self.given.iter().map(String::as_str)
+        self.given.values().flatten().map(String::as_str)
     }
 
     /// Those of many.
     fn of(includes: Vec<Vec<Include>>) -> Self {
         let mut all = Self::default();
-        for include in includes.into_iter().flatten() {
-            all.by_start
+        includes.into_iter().for_each(|includes| all.add(includes));
+        all
+    }
+
+    fn add(&mut self, includes: Vec<Include>) {
+        for include in includes {
+            self.by_start
                 .entry(include.start.clone())
                 .or_default()
                 .push(include);
         }
-        all
     }
 
     /// Whether another file may include `file`.
@@ -232,11 +255,55 @@ impl Included {
     }
 }
 
+/// What the descriptions below folders include, brought up to date where some were edited.
+#[derive(Default)]
+pub(super) struct IncludedCache {
+    below: FastMap<PathBuf, Arc<Included>>,
+    /// The descriptions that were edited since.
+    edited: BTreeSet<PathBuf>,
+}
+
+impl IncludedCache {
+    /// A description says something else now.
+    pub(super) fn edit(&mut self, path: &Path) {
+        self.edited.insert(path.to_owned());
+    }
+
+    /// What is known of a folder.
+    pub(super) fn get(
+        &mut self,
+        folder: &Path,
+        vfs: &Vfs,
+        packages: &Packages,
+    ) -> Option<Arc<Included>> {
+        for path in std::mem::take(&mut self.edited) {
+            let source = vfs.document(&path).ok();
+            let around = self.below.iter_mut();
+            for (_, included) in around.filter(|(folder, _)| path.starts_with(folder)) {
+                Arc::make_mut(included).replace(&path, source.as_ref(), packages);
+            }
+        }
+        self.below.get(folder).cloned()
+    }
+
+    /// Keep what is known of a folder, unless somebody was faster.
+    pub(super) fn keep(&mut self, folder: &Path, made: Arc<Included>) -> Arc<Included> {
+        let kept = self.below.entry(folder.to_owned());
+        kept.or_insert(made).clone()
+    }
+
+    /// Forget everything.
+    pub(super) fn clear(&mut self) {
+        *self = Self::default();
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use std::path::Path;
+    use std::sync::Arc;
 
-    use super::Included;
+    use super::{Included, IncludedCache};
     use packages::{PackageOptions, Packages};
     use vfs::testing::Tree;
 
@@ -288,5 +355,37 @@ mod tests {
             assert_eq!(included.has(&tree.path(file)), expected, "{file}");
         }
         assert!(!included.has(Path::new("/")));
+    }
+
+    #[test]
+    fn what_was_edited_counts_as_it_is_now() {
+        let tree = Tree::new();
+        let vfs = tree.vfs();
+        let text = |file: &str, property: &str| {
+            format!(
+                "<robot><xacro:include filename=\"{file}\"/><xacro:property name=\"{property}\" value=\"1\"/></robot>"
+            )
+        };
+        tree.write("p/r.xacro", &text("a.xacro", "mass"));
+        tree.write("p/s.xacro", "<robot/>");
+        let packages = Packages::new(
+            vfs.clone(),
+            &tree.environment(&[]),
+            PackageOptions::default(),
+        );
+        let files = ["p/r.xacro", "p/s.xacro"].map(|file| vfs.document(&tree.path(file)).unwrap());
+        let mut cache = IncludedCache::default();
+        let made = Included::of_files(files.into(), &packages);
+        cache.keep(tree.root(), Arc::new(made));
+        let mut check = |expected: (bool, bool, bool)| {
+            let now = cache.get(tree.root(), vfs, &packages).unwrap();
+            let has = |file: &str| now.has(&tree.path(file));
+            let found = (has("p/a.xacro"), has("p/b.xacro"), now.defines("mass"));
+            assert_eq!(found, expected);
+            vfs.set_buffer(&tree.path("p/r.xacro"), Some(text("b.xacro", "weight")));
+            cache.edit(&tree.path("p/r.xacro"));
+        };
+        check((true, false, true));
+        check((false, true, false));
     }
 }

@@ -42,6 +42,7 @@ mod placing;
 mod plan;
 mod progress;
 mod proof;
+mod read_as_yaml;
 mod renaming;
 mod report;
 mod roles;

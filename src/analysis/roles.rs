@@ -281,10 +281,13 @@ impl Session {
     /// The files of the workspace that include this one.
     pub(super) fn includers(&self, file: &Path) -> Vec<PathBuf> {
         let all = self.included_around(file);
-        all.iter()
+        let mut found: Vec<PathBuf> = all
+            .iter()
             .flat_map(|all| all.includers(file))
             .map(Path::to_owned)
-            .collect()
+            .collect();
+        found.sort();
+        found
     }
 
     /// What the descriptions of the workspace around a file include.

@@ -9,6 +9,7 @@ use super::check_task::{CheckReason, CheckTask};
 use super::configs::Settings;
 use super::cut::Cut;
 use super::options::CheckOptions;
+use super::read_as_yaml::read_as_yaml;
 use super::roles::CheckedExpansion;
 use super::root_result::RootResult;
 use super::session::Session;
@@ -142,6 +143,9 @@ pub(super) fn run_rules(
     findings.append(&mut check_files(expansion, around, chosen));
     if let Some(error) = &expansion.root_error {
         findings.extend(unreadable(session.vfs.file_id(&task.file), error));
+    }
+    if rules.contains(&named::DESCRIPTION_READ_AS_YAML) {
+        findings.extend(read_as_yaml(session, &task.file, expansion));
     }
     findings.extend(session.nameless(&CheckedExpansion {
         task: &task,

@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, MutexGuard};
 
 use super::beside::Pairing;
 use super::configs::{Configs, Overrides, Settings};
-use super::includes::Included;
+use super::includes::{Included, IncludedCache};
 use super::lock::locked;
 use super::run_cache::Runs;
 use base::FastMap;
@@ -32,7 +32,7 @@ pub struct Session {
     /// Expansions that generated files were compared with.
     pub(super) drift_runs: Runs,
     /// What the descriptions below a folder include.
-    included: Mutex<FastMap<PathBuf, Arc<Included>>>,
+    included: Mutex<IncludedCache>,
     /// The robots that files beside them are for.
     pairings: Mutex<FastMap<PathBuf, Arc<Pairing>>>,
     /// By the folder of sources: the files there that say something about robots.
@@ -203,14 +203,17 @@ impl Session {
         folder: &Path,
         make: impl FnOnce() -> Arc<Included>,
     ) -> Arc<Included> {
-        if let Some(included) = locked(&self.included).get(folder) {
-            return included.clone();
-        }
-        let made = make();
-        locked(&self.included)
-            .entry(folder.to_owned())
-            .or_insert(made)
-            .clone()
+        let known = locked(&self.included).get(folder, &self.vfs, &self.packages);
+        known.unwrap_or_else(|| {
+            let made = make();
+            locked(&self.included).keep(folder, made)
+        })
+    }
+
+    /// A description was edited: it may include and define something else.
+    pub(super) fn edit_description(&self, path: &Path) {
+        locked(&self.included).edit(path);
+        self.callers.edit_description(path);
     }
 
     /// The robots that files beside them are for, as far as somebody has asked.

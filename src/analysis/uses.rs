@@ -9,7 +9,7 @@ use base::IdVec;
 use expand::{FileIdx, FileUse, ProblemKind};
 use rules::{Category, Finding, Rule, Severity, Trait, named};
 use vfs::without_parents;
-use workspace::{Purpose, RobotCall, is_for_ament, is_ignored_by_git};
+use workspace::{Purpose, RobotCall, is_ignored_by_git};
 
 impl Session {
     /// What breaks nothing for the launch files and programs that use a file is an info.
@@ -33,6 +33,10 @@ impl Session {
         };
         self.lower_where(findings, is_far, || {
             (!self.callers.load(file) && self.callers.run_something(file)).then_some(Severity::Info)
+        });
+        let is_of_classic = |finding: &Finding| finding.rule.has(Trait::GazeboClassic);
+        self.lower_where(findings, is_of_classic, || {
+            (!self.callers.run_gazebo_classic(file)).then_some(Severity::Info)
         });
         let is_spaced = |finding: &Finding| {
             finding.rule == named::INVALID_NAME && self.is_name_of_no_controller(file, finding)
@@ -152,7 +156,7 @@ impl Session {
     pub(super) fn is_launch_left_over(&self, file: &Path) -> bool {
         let is_of_ros1 = file.extension().is_some_and(|ending| ending == "launch");
         self.is_kept(file)
-            || is_of_ros1 && is_for_ament(file, &self.packages)
+            || is_of_ros1 && self.packages.is_for_ament(file)
             || self.callers.is_put_aside(file)
             || self.packages.is_never_built(file)
     }
@@ -196,7 +200,7 @@ impl Session {
         if !is_joint || !finding.message.contains(WHAT) || !self.callers.load(file) {
             return false;
         }
-        let is_ros2 = is_for_ament(file, &self.packages);
+        let is_ros2 = self.packages.is_for_ament(file);
         let is_run = |path: &&PathBuf| {
             let is_of_ros1 = path.extension().is_some_and(|ending| ending == "launch");
             // an exporter of CAD programs writes it beside each robot

@@ -162,7 +162,8 @@ fn packages_in_defaults_that_all_calls_replace() {
 
 #[test]
 fn launch_files_of_packages_that_were_put_aside() {
-    let gone = "<launch><param name='d' command=\"xacro '$(find arm)/urdf/gone.xacro'\"/></launch>";
+    let gone =
+        "<launch>\n<param name='d' command=\"xacro '$(find arm)/urdf/gone.xacro'\"/>\n</launch>";
     let robot = "<robot name='arm'><link name='base'/></robot>";
     let of = |twin: &str, page: &str| {
         let files = [
@@ -170,7 +171,7 @@ fn launch_files_of_packages_that_were_put_aside() {
             ("arm/urdf/arm.urdf", robot),
             (
                 "arm/launch/arm.launch",
-                "<param textfile='$(find arm)/urdf/arm.urdf'/>",
+                "<launch>\n<param textfile='$(find arm)/urdf/arm.urdf'/>\n</launch>",
             ),
             (
                 "not_arm/package.xml",

@@ -28,6 +28,18 @@ impl<K: Eq + Hash, V: Clone> AnswerCache<K, V> {
         cell.get_or_init(make).clone()
     }
 
+    /// The answer to `key`, where it is known.
+    pub fn known(&self, key: &K) -> Option<V> {
+        let cells = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        cells.get(key)?.get().cloned()
+    }
+
+    /// Forget the answer to `key`.
+    pub fn remove(&self, key: &K) {
+        let mut cells = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        cells.remove(key);
+    }
+
     /// Forget everything.
     pub fn clear(&self) {
         self.0

@@ -45,6 +45,19 @@ impl Packages {
             RosVersion::Ros2
         })
     }
+
+    /// Whether the manifest of the package around a file says that it is built for ROS 2.
+    pub fn is_for_ament(&self, file: &Path) -> bool {
+        let says = |folder: &Path| {
+            self.is_text(&folder.join(MANIFEST), |manifest| {
+                manifest.contains("ament_")
+            })
+        };
+        self.generation(file) == Some(RosVersion::Ros2)
+            && self
+                .containing(file)
+                .is_some_and(|package| says(&package.folder))
+    }
 }
 
 #[cfg(test)]

@@ -61,6 +61,8 @@ pub const UNKNOWN_XACRO_ATTRIBUTE: &Rule = &xacro::unknown_xacro_attribute::RULE
 pub const UNPREFIXED_MACRO_CALL: &Rule = &xacro::unprefixed_macro_call::RULE;
 /// `unprefixed-xacro-tag`
 pub const UNPREFIXED_XACRO_TAG: &Rule = &xacro::unprefixed_xacro_tag::RULE;
+/// `description-read-as-yaml`
+pub const DESCRIPTION_READ_AS_YAML: &Rule = &package::description_read_as_yaml::RULE;
 /// `missing-package-dependency`
 pub const MISSING_PACKAGE_DEPENDENCY: &Rule = &package::missing_package_dependency::RULE;
 /// `package-not-found`

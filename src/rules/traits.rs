@@ -16,6 +16,8 @@ pub enum Trait {
     Contact,
     /// About what simulators and planners do, which a robot that is only shown does not need.
     Simulation,
+    /// About plugins for Gazebo Classic, which nothing loads where it does not run.
+    GazeboClassic,
     /// About transmissions, which only controllers read, and simulators that run some.
     Transmission,
     /// urdfdom rejects it, and Bullet accepts it. Source: `UrdfParser.cpp` of Bullet 3.25, and loading with PyBullet.
@@ -63,6 +65,11 @@ static CONTACT: [&Rule; 2] = [
 static SIMULATION: [&Rule; 2] = [
     &control::gazebo_unknown_reference::RULE,
     &joint::mimic_range_exceeds_limits::RULE,
+];
+
+static GAZEBO_CLASSIC: [&Rule; 2] = [
+    &control::ros1_gazebo_plugin::RULE,
+    &control::ros1_plugin_parameter::RULE,
 ];
 
 static TRANSMISSION: [&Rule; 4] = [
@@ -182,6 +189,7 @@ impl Trait {
             Trait::Deprecated => &DEPRECATED,
             Trait::Contact => &CONTACT,
             Trait::Simulation => &SIMULATION,
+            Trait::GazeboClassic => &GAZEBO_CLASSIC,
             Trait::Transmission => &TRANSMISSION,
             Trait::AcceptedByBullet => &ACCEPTED_BY_BULLET,
             Trait::AcceptedByRaiSim => &ACCEPTED_BY_RAISIM,

@@ -8,6 +8,7 @@ mod gazebo_classic_plugin;
 mod gazebo_lumped_reference;
 mod gazebo_missing_reference;
 mod gazebo_plugin_missing_filename;
+mod gazebo_ros;
 pub(super) mod gazebo_unknown_reference;
 mod hardware;
 mod joints;
@@ -15,6 +16,8 @@ mod misspelled_plugin;
 mod plugin_file_not_found;
 mod plugin_unknown_joint;
 mod plugins;
+pub(super) mod ros1_gazebo_plugin;
+pub(super) mod ros1_plugin_parameter;
 pub(super) mod ros2_control_duplicate_joint;
 pub(super) mod ros2_control_duplicate_name;
 mod ros2_control_fixed_joint;
@@ -69,4 +72,6 @@ pub(super) static RULES: &[&Rule] = &[
     &controller_unknown_interface::RULE,
     &controller_without_parameters::RULE,
     &plugin_unknown_joint::RULE,
+    &ros1_gazebo_plugin::RULE,
+    &ros1_plugin_parameter::RULE,
 ];

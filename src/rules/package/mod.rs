@@ -4,6 +4,7 @@ mod argument_never_set;
 mod dependencies;
 mod deprecated_xacro_cli;
 mod description_package_name;
+pub(super) mod description_read_as_yaml;
 pub(super) mod generated_urdf_out_of_date;
 mod invalid_package_name;
 mod launch;
@@ -24,6 +25,7 @@ mod xacro_not_in_package;
 use super::rule::Rule;
 
 pub use argument_never_set::argument_never_set;
+pub use description_read_as_yaml::{UntypedParameter, description_read_as_yaml};
 pub use generated_urdf_out_of_date::generated_urdf_out_of_date;
 pub(super) use launch::reads_as_it_stands;
 pub use launched_file_not_found::launched_file_not_found;
@@ -53,4 +55,5 @@ pub(super) static RULES: &[&Rule] = &[
     &value_outside_choices::RULE,
     &value_never_compared::RULE,
     &argument_never_set::RULE,
+    &description_read_as_yaml::RULE,
 ];

@@ -1,5 +1,6 @@
 //! What the texts of a workspace say: the names of its files and packages, what is started, and for which ROS it is.
 
+use std::hash::BuildHasher;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -47,8 +48,12 @@ pub(super) struct TextMentions {
     pub refuses: bool,
     /// Whether there is a launch file or a program.
     pub runs: bool,
+    /// Whether a launch file or program starts Gazebo Classic.
+    pub runs_classic: bool,
     /// Whether a launch file spawns a model of SDF.
     pub spawns_models: bool,
+    /// What each description says, by a number.
+    described: FastMap<PathBuf, u64>,
     /// Whether a page names an old distribution, and whether one names a newer one.
     distributions: (bool, bool),
     /// Whether all texts were read.
@@ -104,6 +109,8 @@ impl Callers {
 
     /// What the texts in the sources around a file say.
     pub(super) fn mentions(&self, file: &Path) -> Option<Arc<TextMentions>> {
+        let edited = std::mem::take(&mut *self.edited());
+        edited.iter().for_each(|path| self.mention_again(path));
         let top = self.packages.sources_around(file)?;
         Some(self.mentions.get(top.clone(), || {
             Arc::new(TextMentions::below(&top, &self.packages))
@@ -111,24 +118,84 @@ impl Callers {
     }
 }
 
+impl Callers {
+    /// Forget what the texts around a description say where it says something else than before.
+    fn mention_again(&self, path: &Path) {
+        let Some(top) = self.packages.sources_around(path) else {
+            return;
+        };
+        let Some(known) = self.mentions.known(&top) else {
+            return;
+        };
+        let text = self.packages.vfs().text(path);
+        let names = names_below(&top, &self.packages);
+        let now = text.map(|file| TextMentions::of_description(path, &file.text, &names).mark());
+        if now.ok().as_ref() != known.described.get(path) {
+            self.mentions.remove(&top);
+        }
+    }
+}
+
+/// The names of the packages below a folder.
+fn names_below(top: &Path, packages: &Packages) -> FastSet<String> {
+    let all = packages.below(top).into_iter();
+    all.map(|(name, _)| name).collect()
+}
+
 impl TextMentions {
     fn below(top: &Path, packages: &Packages) -> Self {
         let mut found = Self::default();
-        let names: FastSet<String> = packages
-            .below(top)
-            .into_iter()
-            .map(|(name, _)| name)
-            .collect();
+        let names = names_below(top, packages);
         found.is_whole = walk(packages.vfs(), top, &mut |path, name, is_small| {
             let is_read =
                 (file_names::is_description(name) || file_names::may_call(name)) && is_small();
             if let Some(text) = is_read.then(|| packages.vfs().text(path).ok()).flatten() {
-                found.add_generation(path, &text.text);
-                found.add(path, &read::without_comments(name, &text.text), &names);
+                if file_names::is_description(name) {
+                    let own = Self::of_description(path, &text.text, &names);
+                    found.described.insert(path.to_owned(), own.mark());
+                    found.merge(own);
+                } else {
+                    found.add_generation(path, &text.text);
+                    found.add(path, &read::without_comments(name, &text.text), &names);
+                }
             }
         });
         found.starters.sort();
         found
+    }
+
+    /// What one description says.
+    fn of_description(path: &Path, text: &str, names: &FastSet<String>) -> Self {
+        let mut own = Self::default();
+        own.add_generation(path, text);
+        own.add(path, &read::without_comments(name_of(path), text), names);
+        own
+    }
+
+    /// What a description says, by a number.
+    fn mark(&self) -> u64 {
+        let mut files: Vec<_> = self.files.iter().collect();
+        files.sort_unstable();
+        let mut read: Vec<_> = self.read.iter().collect();
+        read.sort_unstable();
+        let mut words: Vec<_> = self.says.iter().collect();
+        words.sort_unstable_by_key(|(path, _)| *path);
+        let flags = (self.has_own_model, self.refuses, self.distributions);
+        self.says.hasher().hash_one((files, read, words, flags))
+    }
+
+    /// Add what another description says.
+    #[allow(clippy::iter_over_hash_type)] // lists of one name get one path at a time
+    fn merge(&mut self, own: Self) {
+        for (name, paths) in own.files {
+            self.files.entry(name).or_default().extend(paths);
+        }
+        self.read.extend(own.read);
+        self.says.extend(own.says);
+        self.has_own_model |= own.has_own_model;
+        self.refuses |= own.refuses;
+        self.distributions.0 |= own.distributions.0;
+        self.distributions.1 |= own.distributions.1;
     }
 
     /// Add what one text says.
@@ -140,8 +207,10 @@ impl TextMentions {
         self.moves |= is_run && words.simulates();
         self.has_own_model |= words.is_own_model();
         self.refuses |= !is_page && words.refuses();
-        self.runs |=
+        let may_start =
             !is_description && (name_of(path).contains("launch") || file_names::is_program(path));
+        self.runs |= may_start;
+        self.runs_classic |= may_start && words.runs_classic();
         self.spawns_models |= name_of(path).contains("launch") && words.spawns_model();
         self.builds_moveit |= is_run && words.builds_moveit();
         if is_run && words.starts_controllers() {

@@ -26,11 +26,12 @@ pub use caller::{Caller, GivenArg};
 pub use choices::Excluded;
 pub use era::Era;
 pub use programs::downloads_data;
-pub use purpose::{Purpose, is_for_ament};
+pub use purpose::Purpose;
 pub use read::{has_name, without_comments};
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use file_names::name_of;
 use meant::may_mean;
@@ -44,6 +45,8 @@ pub struct Callers {
     called: AnswerCache<PathBuf, Arc<called::LaunchCalls>>,
     copies: AnswerCache<PathBuf, Arc<copied::CopiedFolders>>,
     mentions: AnswerCache<PathBuf, Arc<mentions::TextMentions>>,
+    /// Descriptions that were edited since somebody asked what texts mention.
+    edited: Mutex<BTreeSet<PathBuf>>,
 }
 
 impl Callers {
@@ -55,6 +58,7 @@ impl Callers {
             called: AnswerCache::default(),
             copies: AnswerCache::default(),
             mentions: AnswerCache::default(),
+            edited: Mutex::default(),
         }
     }
 
@@ -100,6 +104,15 @@ impl Callers {
     pub fn descriptions(&self, file: &Path) -> Arc<Vec<PathBuf>> {
         let all = self.around(file);
         all.map(|all| all.sorted.clone()).unwrap_or_default()
+    }
+
+    /// A description was edited: it may mention something else.
+    pub fn edit_description(&self, path: &Path) {
+        self.edited().insert(path.to_owned());
+    }
+
+    fn edited(&self) -> MutexGuard<'_, BTreeSet<PathBuf>> {
+        self.edited.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Forget what was found: files have come, gone or changed.

@@ -11,26 +11,14 @@ use super::mentions::TextMentions;
 use super::read::has_any;
 use super::uses::Uses;
 use base::FastSet;
-use packages::{MANIFEST, Packages, RosVersion};
+use packages::Packages;
+use vfs::Vfs;
 
 /// Whether a text runs something: no page, no list of what is installed, no launch file of ROS 1 in a package for ROS 2.
 fn is_run(path: &Path, packages: &Packages) -> bool {
     let is_of_ros1 = path.extension().is_some_and(|ending| ending == "launch");
     let is_no_call = file_names::is_page(path) || path.ends_with("CMakeLists.txt");
-    !(is_no_call || is_of_ros1 && is_for_ament(path, packages))
-}
-
-/// Whether the manifest of the package around a file says that it is built for ROS 2.
-pub fn is_for_ament(file: &Path, packages: &Packages) -> bool {
-    let says = |folder: &Path| {
-        packages.is_text(&folder.join(MANIFEST), |manifest| {
-            manifest.contains("ament_")
-        })
-    };
-    packages.generation(file) == Some(RosVersion::Ros2)
-        && packages
-            .containing(file)
-            .is_some_and(|package| says(&package.folder))
+    !(is_no_call || is_of_ros1 && packages.is_for_ament(path))
 }
 
 /// What is done with a description by the texts that load it and those that start them.
@@ -63,6 +51,21 @@ fn is_another_named(all: &Uses, file: &Path, packages: &Packages) -> bool {
                 && all.names(caller, other, packages, true)
         })
     })
+}
+
+/// Whether at least half of the lines of a text are in another one.
+fn is_copy(vfs: &Vfs, file: &Path, other: &Path) -> bool {
+    let (Ok(own), Ok(other)) = (vfs.text(file), vfs.text(other)) else {
+        return false;
+    };
+    let known: FastSet<&str> = other.text.lines().map(str::trim).collect();
+    let lines = || {
+        own.text
+            .lines()
+            .map(str::trim)
+            .filter(|line| !line.is_empty())
+    };
+    lines().filter(|line| known.contains(line)).count() * 2 >= lines().count()
 }
 
 impl Purpose {
@@ -238,7 +241,7 @@ impl Callers {
     }
 
     /// Whether a file lies in a package that was put aside: no text names it, and another package, which texts do name, has a
-    /// file at the same place.
+    /// file at the same place that says much the same.
     pub fn is_put_aside(&self, file: &Path) -> bool {
         let Some(own) = self.packages.containing(file) else {
             return false;
@@ -248,7 +251,9 @@ impl Callers {
         };
         let inside = file.strip_prefix(&own.folder).unwrap_or(file);
         let is_twin = |(name, folder): &(String, PathBuf)| {
-            *name != own.name && self.packages.vfs().is_file(&folder.join(inside))
+            let twin = folder.join(inside);
+            let vfs = self.packages.vfs();
+            *name != own.name && vfs.is_file(&twin) && is_copy(vfs, file, &twin)
         };
         let mut twins = self.packages.below(&top);
         twins.retain(is_twin);
@@ -259,6 +264,12 @@ impl Callers {
             return false;
         };
         !mentions.is_named(&own.name) && twins.iter().any(|(name, _)| mentions.is_named(name))
+    }
+
+    /// Whether a launch file or program around a file starts Gazebo Classic, or may do so.
+    pub fn run_gazebo_classic(&self, file: &Path) -> bool {
+        self.mentions(file)
+            .is_none_or(|all| !all.is_whole || all.runs_classic)
     }
 
     /// Whether there are launch files or programs around a file.

@@ -85,3 +85,23 @@ fn configurations_give_arguments_and_pass_them_on() {
         [vec!["side"], vec!["mode", "side"]]
     );
 }
+
+#[test]
+fn what_an_edited_description_mentions() {
+    let tree = Tree::new();
+    tree.write(
+        "ws/src/arm/package.xml",
+        "<package><name>arm</name></package>",
+    );
+    let (robot, part) = ("ws/src/arm/urdf/arm.xacro", "ws/src/arm/urdf/part.xacro");
+    tree.write(robot, "<robot><include filename='part.xacro'/></robot>");
+    tree.write(part, "<robot/>");
+    let callers = callers_in(&tree);
+    let is_mentioned = || callers.mention_file(&tree.path(part));
+    assert!(is_mentioned());
+    let text = "<robot><include filename='gone.xacro'/></robot>";
+    tree.vfs()
+        .set_buffer(&tree.path(robot), Some(text.to_owned()));
+    callers.edit_description(&tree.path(robot));
+    assert!(!is_mentioned());
+}

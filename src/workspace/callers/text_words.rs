@@ -1,7 +1,7 @@
 //! What a text says of the programs that it runs, by the words in it.
 
 /// What the words of a text say together, as bits.
-#[derive(Clone, Copy, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Default, PartialEq, Eq, Hash)]
 pub(super) struct TextWords(u16);
 
 /// Something needs masses and inertia: a simulator, or a library for dynamics.
@@ -31,10 +31,14 @@ const GAZEBO_PART: u16 = 1 << 10;
 const BUILDS_MOVEIT: u16 = 1 << 11;
 /// Something runs controllers, which read transmissions and hardware.
 const CONTROLS: u16 = 1 << 14;
+/// Something starts Gazebo Classic.
+const CLASSIC: u16 = 1 << 15;
 
 /// The words, also as parts of others, and what each of them says.
-const WORDS: [(&str, u16); 56] = [
+const WORDS: [(&str, u16); 58] = [
     ("gazebo", MASSES | TRIANGLES | SIMULATES),
+    ("gazebo_ros", CLASSIC),
+    ("gzserver", CLASSIC),
     ("ros_gz", MASSES | TRIANGLES | SIMULATES | REFUSES),
     ("ros_gz_sim", SPAWNS),
     ("ros_ign", MASSES | TRIANGLES | SIMULATES | REFUSES),
@@ -147,6 +151,11 @@ impl TextWords {
     /// Whether a text runs a simulator that refuses a tensor that no body has, or is for one.
     pub const fn refuses(self) -> bool {
         self.has(REFUSES)
+    }
+
+    /// Whether a text starts Gazebo Classic.
+    pub const fn runs_classic(self) -> bool {
+        self.has(CLASSIC)
     }
 
     /// Whether a text is a model for MuJoCo, or loads one for Isaac.

@@ -14,6 +14,8 @@ mod xml;
 #[cfg(test)]
 mod forms;
 #[cfg(test)]
+mod forms_of_parameters;
+#[cfg(test)]
 mod forms_of_programs;
 
 use std::path::{Path, PathBuf};
@@ -93,6 +95,8 @@ pub struct LaunchCommand {
     pub what: CommandForm,
     /// Arguments of the launch file that a condition around it reads: they need not have their defaults here.
     pub assumed: Vec<String>,
+    /// Whether launch reads what it prints as YAML: a parameter of a node whose type is not given.
+    pub is_read_as_yaml: bool,
 }
 
 /// A command in one of its forms.

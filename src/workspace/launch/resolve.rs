@@ -28,6 +28,8 @@ pub struct LaunchCall {
     pub args: Vec<CallArgument>,
     /// Whether there may be further arguments.
     pub open: bool,
+    /// Whether launch reads the result as YAML.
+    pub is_read_as_yaml: bool,
 }
 
 /// An argument that a call gives.
@@ -90,6 +92,7 @@ pub(crate) fn calls_in(file: &LaunchFile, context: &LaunchContext) -> Vec<Launch
             file: called.file,
             args: called.args,
             open: called.open,
+            is_read_as_yaml: command.is_read_as_yaml,
         };
         if !found
             .iter()

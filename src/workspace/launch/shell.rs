@@ -48,6 +48,7 @@ fn commands(text: &str, file: &mut LaunchFile) {
                 range,
                 what: CommandForm::Line(command),
                 assumed: Vec::new(),
+                is_read_as_yaml: false,
             });
         }
     }

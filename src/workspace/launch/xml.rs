@@ -82,22 +82,29 @@ impl LaunchXmlReader {
             let range = range(attribute.range_value());
             if attribute.name() == "command" && node.tag_name().name() == "param" {
                 let line = self.text(attribute.value(), Some(range));
-                self.command(range, line);
+                self.command(range, line, false);
             } else if attribute.value().contains("$(command") {
                 let mut lines = Vec::new();
                 element::text(attribute.value(), Some(range), &self.folder, &mut lines);
-                lines.into_iter().for_each(|line| self.command(range, line));
+                // of a parameter whose type is given, launch takes the text as it is
+                let is_untyped = node.has_tag_name("param")
+                    && attribute.name() == "value"
+                    && !node.has_attribute("type");
+                lines
+                    .into_iter()
+                    .for_each(|line| self.command(range, line, is_untyped));
             }
         }
     }
 
-    fn command(&mut self, range: TextRange, line: Text) {
+    fn command(&mut self, range: TextRange, line: Text, is_read_as_yaml: bool) {
         if self.file.commands.len() < LAUNCH_CALLS {
             let assumed = self.assumed.clone();
             self.file.commands.push(LaunchCommand {
                 range,
                 what: CommandForm::Line(line),
                 assumed,
+                is_read_as_yaml,
             });
         }
     }

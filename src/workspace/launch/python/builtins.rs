@@ -53,6 +53,7 @@ impl PythonReader<'_> {
     ) -> PythonValue {
         let count = args.len();
         let mut args = PythonArgs::new(args, named);
+        self.parameters_of(&args);
         let name = path.rsplit('.').next().unwrap_or(path);
         match name {
             "LaunchConfiguration" => self.configuration(args),
@@ -124,10 +125,7 @@ impl PythonReader<'_> {
                 Some(name) => PythonValue::plain(name),
                 None => PythonValue::Text(Text::opaque()),
             },
-            "Command" => {
-                self.command(range, &mut args);
-                PythonValue::Unknown
-            }
+            "Command" => self.command(range, &mut args),
             "ExecuteProcess" | "run" | "Popen" | "check_output" | "check_call" | "call"
             | "getoutput" | "system" | "popen" => {
                 let words = args.take(0, "cmd").or_else(|| args.take(0, "args"));
@@ -238,12 +236,34 @@ impl PythonReader<'_> {
     }
 
     /// `Command([...])`: one text, split as a shell does.
-    fn command(&mut self, range: TextRange, args: &mut PythonArgs) {
+    fn command(&mut self, range: TextRange, args: &mut PythonArgs) -> PythonValue {
         let line = match args.take(0, "command") {
             Some(value @ (PythonValue::Text(_) | PythonValue::List(_))) => value.text(),
-            _ => return,
+            _ => return PythonValue::Unknown,
         };
+        let number = self.found.commands.len();
         self.record(range, CommandForm::Line(line));
+        PythonValue::Output(number)
+    }
+
+    /// What a node gets as parameters: launch reads the output of a command in it as YAML.
+    fn parameters_of(&mut self, args: &PythonArgs) {
+        let given = args.named.iter().find(|(name, _)| name == "parameters");
+        let Some((_, PythonValue::List(given))) = given else {
+            return;
+        };
+        for value in given {
+            let PythonValue::Dict { pairs, .. } = value else {
+                continue;
+            };
+            for (_, value) in pairs {
+                if let PythonValue::Output(number) = value
+                    && let Some(command) = self.found.commands.get_mut(*number)
+                {
+                    command.is_read_as_yaml = true;
+                }
+            }
+        }
     }
 
     /// The words of a command, or its text.

@@ -298,6 +298,7 @@ impl<'s> PythonReader<'s> {
                 range,
                 what,
                 assumed: self.assumed.clone(),
+                is_read_as_yaml: false,
             });
         }
     }

@@ -33,6 +33,8 @@ pub(super) enum PythonValue {
     Document(Text),
     /// A builder of MoveIt configurations, with the package that it reads.
     Builder(Text),
+    /// What a command of the file prints, by number.
+    Output(usize),
 }
 
 impl PythonValue {
@@ -87,6 +89,7 @@ impl PythonValue {
             (PythonValue::Function(a), PythonValue::Function(b)) if a == b => {
                 PythonValue::Function(a)
             }
+            (PythonValue::Output(a), PythonValue::Output(b)) if a == b => PythonValue::Output(a),
             (PythonValue::None, PythonValue::None) => PythonValue::None,
             (PythonValue::List(a), PythonValue::List(b)) if a.len() == b.len() => {
                 PythonValue::List(a.into_iter().zip(b).map(|(a, b)| a.join(b)).collect())

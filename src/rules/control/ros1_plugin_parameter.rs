@@ -1,0 +1,41 @@
+//! Parameters of a plugin of Gazebo that only ROS 1 reads.
+use super::super::context::DocumentCx;
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use super::gazebo_ros::{plugins_for_ros2, renamed};
+use model::tag_start;
+
+pub(in super::super) static RULE: Rule = Rule {
+    code: "CTL031",
+    name: "ros1-plugin-parameter",
+    category: Category::Control,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page("ros1-plugin-parameter"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    let tree = &cx.expansion.tree;
+    for (plugin, library) in plugins_for_ros2(cx) {
+        let old = tree.elements(plugin).filter_map(|parameter| {
+            let name = &tree.get(parameter).text;
+            Some((parameter, name, renamed(&library.value, name)?))
+        });
+        let mut old = old.peekable();
+        let Some(&(first, name, new)) = old.peek() else {
+            continue;
+        };
+        let message = format!("`{}` ignores `{name}` in ROS 2", library.value);
+        let mut report = out
+            .report(tag_start(cx.expansion, first), message)
+            .help(format!("write `{new}`"));
+        for (parameter, name, new) in old.skip(1) {
+            let what = format!("`{name}` as well: write `{new}`");
+            report = report.also(tag_start(cx.expansion, parameter), what);
+        }
+        report.done();
+    }
+}
