@@ -1,17 +1,23 @@
-//! Robots that launch files cannot pass to a node: as a parameter without a type, the text of the robot is read as YAML.
+//! Robots that cannot be passed on where they are launched, because their text is read as YAML: as a parameter without a type in a
+//! launch file, and by gazebo_ros2_control, which gives it to its controller manager.
+//!
+//! Source: `evaluate_parameters.py` of launch_ros; `gazebo_ros2_control_plugin.cpp` on the branches `humble` and `iron`.
 use std::path::Path;
 
 use super::session::Session;
-use base::{Span, TextRange};
+use base::{FileId, Span, TextRange};
 use expand::{Expansion, MapEntry, MapKind, Origin, Written, XId, write_mapped};
-use rules::{Edit, Finding, UntypedParameter, description_read_as_yaml};
+use rules::{Edit, Finding, YamlReader, description_read_as_yaml};
 use workspace::RobotCall;
 use yaml::YamlKind;
 
 /// The import that a typed parameter needs.
 const IMPORT: &str = "from launch_ros.parameter_descriptions import ParameterValue\n";
 
-/// What stops YAML in a robot that a launch file passes without a type.
+/// The plugin that passes the robot on as an argument.
+const PLUGIN: &str = "libgazebo_ros2_control.so";
+
+/// What stops YAML in a robot that something reads as such.
 pub(super) fn read_as_yaml(
     session: &Session,
     file: &Path,
@@ -20,23 +26,52 @@ pub(super) fn read_as_yaml(
     if !expansion.whole || !may_stop(expansion) {
         return None;
     }
-    let calls = session.callers.calls(file);
-    let call = calls.iter().find(|call| {
-        call.call.is_read_as_yaml
-            && call.target.as_deref() == Some(file)
-            && !session.is_launch_left_over(&call.call.caller)
-    })?;
+    let reader = launch_file(session, file).or_else(|| plugin(session, file, expansion))?;
     let name = expansion.files.first().map_or("", |file| &file.name);
     let written = write_mapped(&expansion.tree, name);
-    let (at, sign) = stop(&written.text)?;
+    let (at, sign) = if reader.is_certain {
+        stop(&written.text)?
+    } else {
+        // the library that reads it there takes tabs
+        stop(&written.text.replace('\t', " "))?
+    };
     let (origin, part) = source(&written, at)?;
+    Some(description_read_as_yaml(
+        span_of(expansion, origin)?,
+        sign,
+        part,
+        reader,
+    ))
+}
+
+fn span_of(expansion: &Expansion, origin: Origin) -> Option<Span> {
     let place = expansion.place(origin)?;
-    let span = Span {
+    Some(Span {
         file: expansion.files.get(place.file)?.source.id,
         range: place.range,
-    };
-    let parameter = parameter(session, call)?;
-    Some(description_read_as_yaml(span, sign, part, parameter))
+    })
+}
+
+/// The plugin that reads a robot as YAML, unless what launches the robot takes its comments out.
+fn plugin(session: &Session, file: &Path, expansion: &Expansion) -> Option<YamlReader> {
+    let tree = &expansion.tree;
+    let mut nodes = tree.below(XId::DOCUMENT);
+    let library = nodes.find_map(|id| {
+        let library = tree.attr(id, "filename")?;
+        (library.value == PLUGIN && tree.get(id).text == "plugin").then_some(library)
+    })?;
+    if session.callers.quote(file, "<!--") {
+        return None;
+    }
+    Some(YamlReader {
+        name: "gazebo_ros2_control of Humble".to_owned(),
+        at: span_of(expansion, library.origin)?,
+        what: "the plugin is loaded here",
+        is_certain: false,
+        help: "write it without a space behind it, or remove the comments in the launch file"
+            .to_owned(),
+        edits: Vec::new(),
+    })
 }
 
 /// Whether some text of the robot has what a plain scalar of YAML cannot hold: most have none of it.
@@ -109,12 +144,47 @@ fn source(written: &Written, at: usize) -> Option<(Origin, &'static str)> {
     Some((Origin { range, ..origin }, part))
 }
 
-/// A call whose result is read as YAML, with what gives its parameter a type.
-fn parameter(session: &Session, call: &RobotCall) -> Option<UntypedParameter> {
-    let caller = &call.call.caller;
-    let file = session.vfs.file_id(caller);
-    let text = session.vfs.text(caller).ok()?;
-    let range = call.call.range;
+/// A launch file that passes a robot to a node as a parameter without a type.
+fn launch_file(session: &Session, file: &Path) -> Option<YamlReader> {
+    let calls = session.callers.calls(file);
+    let is_untyped = |call: &&RobotCall| {
+        call.call.is_read_as_yaml
+            && call.target.as_deref() == Some(file)
+            && !session.is_launch_left_over(&call.call.caller)
+    };
+    let call = &calls.iter().find(is_untyped)?.call;
+    let file = session.vfs.file_id(&call.caller);
+    let name = call.caller.file_name()?.to_string_lossy();
+    let is_python = name.ends_with(".py");
+    let typed = if is_python {
+        "`ParameterValue(Command([...]), value_type=str)`"
+    } else {
+        "`type=\"str\"` in the parameter"
+    };
+    let text = session.vfs.text(&call.caller).ok()?;
+    let edits = if is_python {
+        typed_in_python(file, call.range, &text.text)
+    } else {
+        Vec::new()
+    };
+    Some(YamlReader {
+        name: format!("`{name}`"),
+        at: Span {
+            file,
+            range: call.range,
+        },
+        what: "passed as a parameter here",
+        is_certain: true,
+        help: format!("write {typed} in `{name}`"),
+        edits,
+    })
+}
+
+/// What wraps a command in a parameter with a type.
+fn typed_in_python(file: FileId, range: TextRange, text: &str) -> Vec<Edit> {
+    if !range.slice(text).starts_with("Command(") {
+        return Vec::new();
+    }
     let insert = |at: u32, content: &str| Edit {
         span: Span {
             file,
@@ -122,26 +192,14 @@ fn parameter(session: &Session, call: &RobotCall) -> Option<UntypedParameter> {
         },
         content: content.to_owned(),
     };
-    let is_python = caller.extension().is_some_and(|ending| ending == "py");
-    let mut edits = Vec::new();
-    if is_python && range.slice(&text.text).starts_with("Command(") {
-        if !text.text.contains("ParameterValue") {
-            edits.push(insert(import(&text.text), IMPORT));
-        }
-        edits.push(insert(range.start, "ParameterValue("));
-        edits.push(insert(range.end, ", value_type=str)"));
+    let mut edits = vec![
+        insert(range.start, "ParameterValue("),
+        insert(range.end, ", value_type=str)"),
+    ];
+    if !text.contains("ParameterValue") {
+        edits.insert(0, insert(import(text), IMPORT));
     }
-    let typed = if is_python {
-        "`ParameterValue(Command([...]), value_type=str)`"
-    } else {
-        "`type=\"str\"` in the parameter"
-    };
-    Some(UntypedParameter {
-        file: caller.file_name()?.to_string_lossy().into_owned(),
-        call: Span { file, range },
-        typed,
-        edits,
-    })
+    edits
 }
 
 /// Where another import of launch stands.

@@ -60,7 +60,7 @@ pub use moveit::{
 };
 pub use names::{JointConnection, OfferedInterface, RobotNames};
 pub use package::{
-    Manifests, UntypedParameter, argument_never_set, description_read_as_yaml,
+    Manifests, YamlReader, argument_never_set, description_read_as_yaml,
     generated_urdf_out_of_date, launched_file_not_found, missing_launch_argument, missing_packages,
     unknown_launch_argument, value_never_compared, value_outside_choices,
 };

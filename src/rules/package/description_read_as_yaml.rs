@@ -15,47 +15,43 @@ pub(in super::super) static RULE: Rule = Rule {
     check: Check::Analysis,
 };
 
-/// A launch file that passes a robot to a node as a parameter without a type.
-pub struct UntypedParameter {
-    /// The name of the launch file.
-    pub file: String,
-    /// Where it calls xacro.
-    pub call: Span,
-    /// How to give the parameter a type.
-    pub typed: &'static str,
-    /// What gives it one.
+/// Something that reads the text of a robot as YAML.
+pub struct YamlReader {
+    /// What it is, as a message names it.
+    pub name: String,
+    /// Where that is written.
+    pub at: Span,
+    /// What is written there.
+    pub what: &'static str,
+    /// Whether all versions of it read YAML.
+    pub is_certain: bool,
+    /// What to do.
+    pub help: String,
+    /// What does it.
     pub edits: Vec<Edit>,
 }
 
 /// The finding about `sign`, at which YAML stops in the `part` of the robot where it stands.
-pub fn description_read_as_yaml(
-    at: Span,
-    sign: &str,
-    part: &str,
-    parameter: UntypedParameter,
-) -> Finding {
-    let UntypedParameter {
-        file,
-        call,
-        typed,
-        edits,
-    } = parameter;
-    let message = format!(
-        "{sign} in this {part} makes `{file}` fail, because launch reads the robot as YAML"
-    );
+pub fn description_read_as_yaml(at: Span, sign: &str, part: &str, reader: YamlReader) -> Finding {
+    let name = &reader.name;
+    let message =
+        format!("{sign} in this {part} makes {name} fail, because it reads the robot as YAML");
     let mut finding = Finding::new(&RULE, at, message);
-    finding.help = Some(format!("write {typed} in `{file}`"));
-    finding.related.push(Related {
-        span: call,
-        message: "passed as a parameter here".to_owned(),
-        is_call: false,
-    });
-    if !edits.is_empty() {
+    if !reader.is_certain {
+        finding.severity = Severity::Warning;
+    }
+    if !reader.edits.is_empty() {
         finding.fix = Some(Fix {
             safety: Safety::Unsafe,
-            message: format!("give the parameter in `{file}` a type"),
-            edits,
+            message: format!("give the parameter in {name} a type"),
+            edits: reader.edits,
         });
     }
+    finding.help = Some(reader.help);
+    finding.related.push(Related {
+        span: reader.at,
+        message: reader.what.to_owned(),
+        is_call: false,
+    });
     finding
 }

@@ -25,7 +25,7 @@ mod xacro_not_in_package;
 use super::rule::Rule;
 
 pub use argument_never_set::argument_never_set;
-pub use description_read_as_yaml::{UntypedParameter, description_read_as_yaml};
+pub use description_read_as_yaml::{YamlReader, description_read_as_yaml};
 pub use generated_urdf_out_of_date::generated_urdf_out_of_date;
 pub(super) use launch::reads_as_it_stands;
 pub use launched_file_not_found::launched_file_not_found;
