@@ -68,7 +68,7 @@ fn plugin(session: &Session, file: &Path, expansion: &Expansion) -> Option<YamlR
         at: span_of(expansion, library.origin)?,
         what: "the plugin is loaded here",
         is_certain: false,
-        help: "write it without a space behind it, or remove the comments in the launch file"
+        help: "write it without a space after it, or remove the comments in the launch file"
             .to_owned(),
         edits: Vec::new(),
     })

@@ -141,6 +141,7 @@ pub(super) fn run_rules(
     let (mut findings, settled) =
         check_expansion(expansion, robot, (kind, explicit), around, chosen, before);
     findings.append(&mut check_files(expansion, around, chosen));
+    say_once(&mut findings);
     if let Some(error) = &expansion.root_error {
         findings.extend(unreadable(session.vfs.file_id(&task.file), error));
     }
@@ -198,6 +199,23 @@ pub(super) fn run_rules(
         consumers: wanted_of(found.into_inner().unwrap_or_default(), &settings, &task),
         task,
     }
+}
+
+/// A missing `$` is said once: by the rule about the number or the name in which it is missing.
+fn say_once(findings: &mut Vec<Finding>) {
+    let is_whole = |finding: &&Finding| {
+        finding.rule == named::INVALID_NUMBER || finding.rule == named::INVALID_NAME
+    };
+    let whole: Vec<Span> = findings
+        .iter()
+        .filter(is_whole)
+        .map(|finding| finding.span)
+        .collect();
+    let holds =
+        |own: Span, span: &Span| span.file == own.file && span.range.contains_range(own.range);
+    findings.retain(|finding| {
+        finding.rule != named::MISSING_DOLLAR || !whole.iter().any(|span| holds(finding.span, span))
+    });
 }
 
 /// Whether to count what programs reject or change: where somebody asked and named none.

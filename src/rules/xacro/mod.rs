@@ -7,6 +7,7 @@ pub(super) mod include_children_ignored;
 pub(super) mod include_not_found;
 pub(super) mod invalid_property_name;
 mod mentions;
+pub(super) mod missing_dollar;
 pub(super) mod missing_macro_param;
 pub(super) mod redefined_macro;
 pub(super) mod redefined_property;
@@ -77,4 +78,5 @@ pub(super) static RULES: &[&Rule] = &[
     &found::DEFAULT_WITH_SCOPE,
     &found::INVALID_MACRO_NAME,
     &found::INCONSISTENT_NAMESPACE_REDEFINITION,
+    &missing_dollar::RULE,
 ];
