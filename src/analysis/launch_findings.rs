@@ -13,7 +13,7 @@ use super::session::Session;
 use super::walk::is_launch;
 use base::{CancelFlag, FastSet, Span, TextRange};
 use packages::nearest;
-use rules::{Finding, Severity, launched_file_not_found, unknown_launch_argument};
+use rules::{Finding, Group, Severity, launched_file_not_found, named, unknown_launch_argument};
 use workspace::launch::{CallArgument, LaunchCall};
 use workspace::{RobotCall, has_name};
 
@@ -97,6 +97,7 @@ impl Session {
                     .for_each(|one| one.severity = one.severity.min(Severity::Info));
             }
         }
+        group_by_argument(found);
         for (robot, known) in &*known {
             let of =
                 |call: &&RobotCall| call.target.as_ref() == Some(robot) && self.is_checked(call);
@@ -350,6 +351,25 @@ impl Session {
             .and_then(within)
             .or_else(|| within(call.range))?;
         Some(Span { file, range })
+    }
+}
+
+/// What is passed in vain to several robots is one mistake.
+fn group_by_argument(found: &mut [Finding]) {
+    const SEVERAL: usize = 3;
+    let name = |finding: &Finding| {
+        let is_it = finding.rule == named::UNKNOWN_LAUNCH_ARGUMENT && finding.group.is_some();
+        let name = finding.message.split('`').nth(1).filter(|_| is_it);
+        name.map(str::to_owned)
+    };
+    let mut count: BTreeMap<String, usize> = BTreeMap::new();
+    for name in found.iter().filter_map(name) {
+        *count.entry(name).or_default() += 1;
+    }
+    for finding in found {
+        if let Some(name) = name(finding).filter(|name| count.get(name) >= Some(&SEVERAL)) {
+            finding.group = Some(Group::Name(format!("argument {name}").into()));
+        }
     }
 }
 

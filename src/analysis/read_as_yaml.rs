@@ -60,7 +60,10 @@ fn plugin(session: &Session, file: &Path, expansion: &Expansion) -> Option<YamlR
         let library = tree.attr(id, "filename")?;
         (library.value == PLUGIN && tree.get(id).text == "plugin").then_some(library)
     })?;
-    if session.callers.quote(file, "<!--") {
+    // what Foxy and Galactic call active
+    let is_older = ["--set-state start", "'start'", "\"start\""];
+    let mut leave_it = ["<!--"].into_iter().chain(is_older);
+    if leave_it.any(|text| session.callers.quote(file, text)) {
         return None;
     }
     Some(YamlReader {
@@ -204,12 +207,14 @@ fn typed_in_python(file: FileId, range: TextRange, text: &str) -> Vec<Edit> {
 
 /// Where another import of launch stands.
 fn import(text: &str) -> u32 {
-    let mut at = 0;
-    for line in text.split_inclusive('\n') {
-        if line.starts_with("from launch") || line.starts_with("import launch") {
-            return at;
-        }
-        at += line.len() as u32;
-    }
-    0
+    let start_of = |words: &str| {
+        let mut at = 0;
+        let mut lines = text.split_inclusive('\n').map(|line| {
+            at += line.len();
+            (at - line.len(), line)
+        });
+        lines.find(|(_, line)| line.starts_with(words))
+    };
+    let found = start_of("from launch_ros").or_else(|| start_of("from launch"));
+    found.map_or(0, |(at, _)| at as u32)
 }

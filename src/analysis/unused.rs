@@ -88,7 +88,9 @@ impl Session {
             .filter(|finding| finding.severity > Severity::Info)
         {
             let file = self.vfs.path(finding.span.file);
-            let is_idle = if finding.rule.has(Trait::Controller) {
+            let is_about_controller = finding.rule.has(Trait::Controller)
+                || finding.rule == named::CONTROLLER_WITHOUT_PARAMETERS;
+            let is_idle = if is_about_controller {
                 self.is_never_started(&file, finding)
             } else if finding.rule == named::MOVEIT_UNKNOWN_CONTROLLER {
                 self.is_listed_elsewhere(&file, finding)
@@ -126,7 +128,13 @@ impl Session {
             .iter()
             .filter(is_before)
             .max_by_key(|one| one.name.range.start);
-        let Some(own) = own.map(|own| own.name.name.as_str()) else {
+        let own = if finding.rule == named::CONTROLLER_WITHOUT_PARAMETERS {
+            // the file holds nothing of it but its name in a list
+            finding.message.split('`').nth(1)
+        } else {
+            own.map(|own| own.name.name.as_str())
+        };
+        let Some(own) = own else {
             return false;
         };
         let mut starters = self.callers.starters(file);

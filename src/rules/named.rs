@@ -67,6 +67,8 @@ pub const DESCRIPTION_READ_AS_YAML: &Rule = &package::description_read_as_yaml::
 pub const MISSING_PACKAGE_DEPENDENCY: &Rule = &package::missing_package_dependency::RULE;
 /// `package-not-found`
 pub const PACKAGE_NOT_FOUND: &Rule = &package::package_not_found::RULE;
+/// `unknown-launch-argument`
+pub const UNKNOWN_LAUNCH_ARGUMENT: &Rule = &package::unknown_launch_argument::RULE;
 /// `missing-dollar`
 pub const MISSING_DOLLAR: &Rule = &xacro::missing_dollar::RULE;
 /// `invalid-number`

@@ -35,7 +35,7 @@ const CAMERA: &str = "libgazebo_ros_camera.so";
 
 /// What names the topic of a plugin in ROS 2.
 pub(super) const REMAPPING: &str = "<ros><remapping>old:=new</remapping></ros>";
-const NAMESPACE: &str = "<ros><namespace>name</namespace></ros>";
+pub(super) const NAMESPACE: &str = "<ros><namespace>name</namespace></ros>";
 
 /// Parameters that the plugins of ROS 1 read and those of ROS 2 do not, each with what took its place there.
 const ROS1_PARAMETERS: [(&str, &str); 20] = [

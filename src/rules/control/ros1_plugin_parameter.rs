@@ -2,7 +2,8 @@
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::gazebo_ros::{plugins_for_ros2, renamed};
+use super::gazebo_ros::{NAMESPACE, REMAPPING, plugins_for_ros2, renamed};
+use expand::{XId, XTree};
 use model::tag_start;
 
 pub(in super::super) static RULE: Rule = Rule {
@@ -17,12 +18,27 @@ pub(in super::super) static RULE: Rule = Rule {
     check: Check::Document(check),
 };
 
+/// Whether a plugin has what took the place of a parameter: the old one is left over.
+fn is_there(tree: &XTree, plugin: XId, new: &str) -> bool {
+    let has = |around: XId, name: &str| {
+        let mut inside = tree.elements(around);
+        inside.any(|id| tree.get(id).text == name)
+    };
+    let mut inside = tree.elements(plugin);
+    match new {
+        REMAPPING => inside.any(|id| tree.get(id).text == "ros" && has(id, "remapping")),
+        NAMESPACE => inside.any(|id| tree.get(id).text == "ros" && has(id, "namespace")),
+        _ => has(plugin, new),
+    }
+}
+
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let tree = &cx.expansion.tree;
     for (plugin, library) in plugins_for_ros2(cx) {
         let old = tree.elements(plugin).filter_map(|parameter| {
             let name = &tree.get(parameter).text;
-            Some((parameter, name, renamed(&library.value, name)?))
+            let new = renamed(&library.value, name)?;
+            (!is_there(tree, plugin, new)).then_some((parameter, name, new))
         });
         let mut old = old.peekable();
         let Some(&(first, name, new)) = old.peek() else {

@@ -38,7 +38,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             let near = nearest(&kind.value, KNOWN).map(Help::did_you_mean);
             let is_known = KNOWN.contains(&kind.value.to_lowercase().as_str());
             let severity = if is_known && is_simulated(cx, control) {
-                Severity::Warning
+                Severity::Info
             } else {
                 RULE.severity
             };

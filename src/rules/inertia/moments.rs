@@ -93,8 +93,11 @@ pub(super) fn inertia_tag(expansion: &Expansion, inertial: &Inertial) -> Origin 
 pub(super) fn is_same_about_all_axes([xx, xy, xz, yy, yz, zz]: [f64; 6]) -> bool {
     /// The part of a moment up to which a product is nothing.
     const NOTHING: f64 = 1e-2;
-    xx == yy
-        && yy == zz
+    /// The part of a moment by which two are the same.
+    const SAME: f64 = 1e-6;
+    let is_same = |other: f64| (other - xx).abs() <= SAME * xx;
+    is_same(yy)
+        && is_same(zz)
         && [xy, xz, yz]
             .iter()
             .all(|product| product.abs() <= NOTHING * xx)

@@ -17,7 +17,7 @@ mod missing_launch_argument;
 pub(super) mod missing_package_dependency;
 pub(super) mod package_not_found;
 mod resource_not_installed;
-mod unknown_launch_argument;
+pub(super) mod unknown_launch_argument;
 mod value_never_compared;
 mod value_outside_choices;
 mod xacro_not_in_package;

@@ -6,7 +6,7 @@ use super::super::grouping::Group;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use base::Span;
 
-pub(super) static RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "PKG009",
     name: "unknown-launch-argument",
     category: Category::Package,
