@@ -368,7 +368,7 @@ fn group_by_argument(found: &mut [Finding]) {
     }
     for finding in found {
         if let Some(name) = name(finding).filter(|name| count.get(name) >= Some(&SEVERAL)) {
-            finding.group = Some(Group::Name(format!("argument {name}").into()));
+            finding.group = Some(Group::Value(format!("argument {name}").into()));
         }
     }
 }

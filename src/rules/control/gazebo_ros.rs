@@ -61,18 +61,55 @@ const ROS1_PARAMETERS: [(&str, &str); 20] = [
     ("wheelTorque", "max_wheel_torque"),
 ];
 
-/// Plugins of `gazebo_ros_pkgs` that both have, by the ending of their names.
-const IN_BOTH: [&str; 9] = [
-    "bumper",
-    "camera",
-    "diff_drive",
-    "ft_sensor",
-    "imu_sensor",
-    "joint_state_publisher",
-    "p3d",
-    "planar_move",
-    "ray_sensor",
+/// Plugins that both have, by the ending of their names, and the parameters that had another name in ROS 1.
+const IN_BOTH: [(&str, &[&str]); 9] = [
+    ("bumper", &["bumperTopicName", "frameName"]),
+    (
+        "camera",
+        &[
+            "cameraInfoTopicName",
+            "cameraName",
+            "frameName",
+            "imageTopicName",
+        ],
+    ),
+    (
+        "diff_drive",
+        &[
+            "commandTopic",
+            "leftJoint",
+            "odometryFrame",
+            "odometryTopic",
+            "publishWheelTF",
+            "rightJoint",
+            "robotBaseFrame",
+            "wheelAcceleration",
+            "wheelDiameter",
+            "wheelSeparation",
+            "wheelTorque",
+        ],
+    ),
+    (
+        "ft_sensor",
+        &["bodyName", "frameName", "jointName", "topicName"],
+    ),
+    ("imu_sensor", &["frameName", "topicName"]),
+    ("joint_state_publisher", &["jointName"]),
+    ("p3d", &["bodyName", "frameName", "topicName"]),
+    (
+        "planar_move",
+        &[
+            "commandTopic",
+            "odometryFrame",
+            "odometryTopic",
+            "robotBaseFrame",
+        ],
+    ),
+    ("ray_sensor", &["frameName", "topicName"]),
 ];
+
+/// The parameter that all had.
+const OF_ALL: &str = "robotNamespace";
 
 /// What took the place of a library of ROS 1.
 pub(super) fn successor(library: &str) -> Option<&'static str> {
@@ -82,8 +119,11 @@ pub(super) fn successor(library: &str) -> Option<&'static str> {
 
 /// What took the place of a parameter of ROS 1, in a plugin that both have.
 pub(super) fn renamed(library: &str, parameter: &str) -> Option<&'static str> {
-    let name = library.strip_prefix("libgazebo_ros_")?;
-    if !IN_BOTH.contains(&name.strip_suffix(".so")?) {
+    let name = library
+        .strip_prefix("libgazebo_ros_")?
+        .strip_suffix(".so")?;
+    let (_, own) = IN_BOTH.iter().find(|(known, _)| *known == name)?;
+    if parameter != OF_ALL && !own.contains(&parameter) {
         return None;
     }
     let mut all = ROS1_PARAMETERS.iter();

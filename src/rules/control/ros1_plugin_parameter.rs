@@ -4,7 +4,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::gazebo_ros::{NAMESPACE, REMAPPING, plugins_for_ros2, renamed};
 use expand::{XId, XTree};
-use model::tag_start;
+use model::{AttrValue, tag_start};
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "CTL031",
@@ -38,7 +38,11 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let old = tree.elements(plugin).filter_map(|parameter| {
             let name = &tree.get(parameter).text;
             let new = renamed(&library.value, name)?;
-            (!is_there(tree, plugin, new)).then_some((parameter, name, new))
+            let value = AttrValue::content(tree, parameter);
+            // the namespace that it has without
+            let is_default = new == NAMESPACE
+                && value.is_none_or(|value| ["", "/"].contains(&value.value.trim()));
+            (!is_default && !is_there(tree, plugin, new)).then_some((parameter, name, new))
         });
         let mut old = old.peekable();
         let Some(&(first, name, new)) = old.peek() else {
