@@ -23,10 +23,13 @@ pub(super) fn read_as_yaml(
     file: &Path,
     expansion: &Expansion,
 ) -> Option<Finding> {
-    if !expansion.whole || !may_stop(expansion) {
+    if !expansion.whole {
         return None;
     }
     let reader = launch_file(session, file).or_else(|| plugin(session, file, expansion))?;
+    if !may_stop(expansion) {
+        return None;
+    }
     let name = expansion.files.first().map_or("", |file| &file.name);
     let written = write_mapped(&expansion.tree, name);
     let (at, sign) = if reader.is_certain {
@@ -55,7 +58,10 @@ fn span_of(expansion: &Expansion, origin: Origin) -> Option<Span> {
 /// The plugin that reads a robot as YAML, unless what launches the robot takes its comments out.
 fn plugin(session: &Session, file: &Path, expansion: &Expansion) -> Option<YamlReader> {
     let tree = &expansion.tree;
-    let mut nodes = tree.below(XId::DOCUMENT);
+    let blocks = tree.elements(tree.root()?);
+    let mut nodes = blocks
+        .filter(|&id| tree.get(id).text == "gazebo")
+        .flat_map(|id| tree.elements(id));
     let library = nodes.find_map(|id| {
         let library = tree.attr(id, "filename")?;
         (library.value == PLUGIN && tree.get(id).text == "plugin").then_some(library)

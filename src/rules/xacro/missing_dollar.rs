@@ -22,7 +22,7 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
     let mut places = Vec::new();
     for (base, item) in cx.source.document.parts() {
         // most texts have neither
-        if !item.text().contains('{') && !item.text().contains("($") {
+        if !has_bare_brace(item.text()) && !item.text().contains("($") {
             continue;
         }
         for node in item.all_nodes() {
@@ -63,6 +63,12 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
         )
         .done();
     }
+}
+
+/// Whether a text has a brace without `$`.
+fn has_bare_brace(text: &str) -> bool {
+    let mut braces = text.match_indices('{');
+    braces.any(|(at, _)| !text.get(..at).is_some_and(|before| before.ends_with('$')))
 }
 
 /// The properties of the robot.
