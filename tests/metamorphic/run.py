@@ -28,8 +28,8 @@ import robots  # noqa: E402
 
 JOBS = 2
 ENVIRONMENT = {k: v for k, v in os.environ.items() if not k.startswith(('ROS', 'AMENT', 'CMAKE_PREFIX', 'COLCON'))}
-# what speaks of the text itself, not of the robot
-OF_THE_TEXT = {'unused-include', 'missing-xml-declaration', 'unused-suppression', 'constant-condition'}
+# what speaks of the text itself, not of the robot; xacro keeps a comment in front of a macro only if a blank line follows it
+OF_THE_TEXT = {'unused-include', 'missing-xml-declaration', 'unused-suppression', 'constant-condition', 'description-read-as-yaml'}
 TAG = re.compile(r'<(/?)([\w.:-]+)((?:"[^"]*"|\'[^\']*\'|[^>"\'])*?)(/?)>|<!--.*?-->|<\?.*?\?>', re.S)
 
 
