@@ -109,8 +109,11 @@ impl Callers {
 
     /// What the texts in the sources around a file say.
     pub(super) fn mentions(&self, file: &Path) -> Option<Arc<TextMentions>> {
-        let edited = std::mem::take(&mut *self.edited());
-        edited.iter().for_each(|path| self.mention_again(path));
+        // whoever asks at the same time waits, and does not get what was said before the edit
+        let mut edited = self.edited();
+        let paths = std::mem::take(&mut *edited);
+        paths.iter().for_each(|path| self.mention_again(path));
+        drop(edited);
         let top = self.packages.sources_around(file)?;
         Some(self.mentions.get(top.clone(), || {
             Arc::new(TextMentions::below(&top, &self.packages))
