@@ -3,9 +3,9 @@ use ecow::EcoString;
 
 use super::binding_info::{BindingId, BindingKind};
 use super::expansion::Expansion;
+use super::node::Piece;
 use super::origin::{FrameId, FrameKind, Origin};
 use super::symbols::SourceRange;
-use super::tree::Piece;
 use base::{FastSet, TextRange};
 use expr::{self, TemplateToken, Value, is_identifier};
 

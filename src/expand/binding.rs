@@ -3,14 +3,14 @@ use super::binding_info::{BindingInfo, BindingKind};
 use super::expander::Expander;
 use super::kind::ProblemKind;
 use super::macro_table::{MacroDef, MacroParam, OpenParams};
+use super::names::EvalContext;
+use super::node::{XId, XKind};
 use super::origin::Origin;
 use super::problem::{Detail, Outside, TraceStep};
 use super::property::literal_of;
 use super::scope::{Block, PropertyState, TextOrigin};
-use super::state::EvalContext;
 use super::symbols::UseKind;
 use super::tag::Tag;
-use super::tree::{XId, XKind};
 use expr::Value;
 use packages::nearest;
 

@@ -76,6 +76,9 @@ impl BindingInfo {
     }
 }
 
+/// The value of an argument, where it is known, and its binding.
+pub(super) type ArgumentValue = (Option<EcoString>, BindingId);
+
 /// A lazy property being evaluated, and the text that asked for it.
 #[derive(Clone, Debug)]
 pub(super) struct LazyUse {

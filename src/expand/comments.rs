@@ -1,7 +1,7 @@
 //! Which comments disappear with the tags they stand in front of.
 use super::expander::Expander;
+use super::node::{XId, XKind};
 use super::params::is_space;
-use super::tree::{XId, XKind};
 
 impl Expander<'_> {
     /// Remove the comments at the end of `parent` that stand directly in front of a xacro tag:

@@ -1,43 +1,55 @@
 //! The finished document in as little room as possible: expansions are kept for long, and read often.
+use super::node::{Links, XId, XKind, XNode};
 use super::params::is_space;
-use super::tree::{XId, XKind, XTree};
+use super::parts::{Part, Parts};
+use super::tree::XTree;
+use base::Id;
 
 impl XTree {
     /// Forget nodes that are part of neither the document nor what stands in `beside`, and blank text between
-    /// elements, which nothing shows. What is left lies in document order. Ids change, those in `beside` with them.
-    pub(super) fn compact<'i>(&mut self, beside: impl Iterator<Item = &'i mut XId>) {
-        let mut kept = XTree::default();
-        kept.reserve(self.len());
-        self.take_children(XId::DOCUMENT, XId::DOCUMENT, &mut kept);
+    /// elements, which nothing shows. What is left lies in document order. Ids change, those in `beside` with them; answers with the
+    /// old and the new ones of the elements below the root. One that stands for others has the new one of the last of these.
+    pub(super) fn compact<'i>(
+        &mut self,
+        beside: impl Iterator<Item = &'i mut XId>,
+    ) -> Vec<(XId, XId)> {
+        let mut kept = Finished::default();
+        let document = self.take_node(XId::DOCUMENT, None, &mut kept);
+        kept.old_root = self.root();
+        self.take_children(XId::DOCUMENT, document, &mut kept);
         for root in beside {
-            let id = self.take_node(*root, &mut kept);
+            let id = self.take_node(*root, None, &mut kept);
             self.take_children(*root, id, &mut kept);
             *root = id;
         }
-        kept.shrink();
-        *self = kept;
+        let moved = std::mem::take(&mut kept.moved);
+        *self = kept.tree();
+        moved
     }
 
-    /// Move what a node says into `kept`, without its place.
-    fn take_node(&mut self, id: XId, kept: &mut XTree) -> XId {
-        let node = self.get_mut(id);
-        let new = kept.add(node.kind, std::mem::take(&mut node.text), node.origin);
-        kept.get_mut(new).attrs = std::mem::take(&mut self.get_mut(id).attrs);
-        new
+    /// Move what a node says into `kept`, as the last child of a node.
+    fn take_node(&mut self, id: XId, parent: Option<XId>, kept: &mut Finished) -> XId {
+        kept.push(self.take(id), parent)
     }
 
-    fn take_children(&mut self, from: XId, to: XId, kept: &mut XTree) {
+    fn take_children(&mut self, from: XId, to: XId, kept: &mut Finished) {
         // an explicit stack: documents may be nested deeper than the call stack is
         let mut open = vec![(self.first_child(from), to, self.is_spaced(from))];
         while let Some((next, parent, spaced)) = open.pop() {
             let Some(id) = next else { continue };
             open.push((self.next_sibling(id), parent, spaced));
             let node = self.get(id);
+            let is_element = node.kind == XKind::Element;
             if spaced && node.kind == XKind::Text && node.text.chars().all(is_space) {
                 continue;
             }
-            let new = self.take_node(id, kept);
-            kept.append(parent, new);
+            let new = match self.take_kept(id) {
+                Some(parts) => kept.add(parts),
+                None => self.take_node(id, Some(parent), kept),
+            };
+            if is_element {
+                kept.note(self.parent(id), id, new);
+            }
             if let Some(first) = self.first_child(id) {
                 open.push((Some(first), new, self.is_spaced(id)));
             }
@@ -50,10 +62,132 @@ impl XTree {
     }
 }
 
+/// The nodes of a finished document while they are put together.
+#[derive(Default)]
+struct Finished {
+    pieces: Vec<Piece>,
+    len: usize,
+    root: Option<XId>,
+    /// The root element before, and the elements below it as they were numbered and as they are.
+    old_root: Option<XId>,
+    moved: Vec<(XId, XId)>,
+}
+
+enum Piece {
+    Own {
+        start: usize,
+        nodes: Vec<XNode>,
+        tops: Option<(XId, XId)>,
+    },
+    Kept(Part),
+}
+
+impl Finished {
+    /// Add a node behind the last child of a node.
+    fn push(&mut self, node: XNode, parent: Option<XId>) -> XId {
+        let id = XId::from_index(self.len);
+        self.len += 1;
+        match self.pieces.last_mut() {
+            Some(Piece::Own { nodes, .. }) => nodes.push(node),
+            _ => self.pieces.push(Piece::Own {
+                start: id.index(),
+                nodes: vec![node],
+                tops: None,
+            }),
+        }
+        if let Some(parent) = parent {
+            self.link(parent, (id, id));
+            if self.root == Some(parent)
+                && let Some(Piece::Own { tops, .. }) = self.pieces.last_mut()
+            {
+                *tops = Some((tops.map_or(id, |(first, _)| first), id));
+            }
+        }
+        id
+    }
+
+    /// Add what lies below the root element of another document; the last of it.
+    fn add(&mut self, parts: Vec<Part>) -> XId {
+        let mut last = XId::DOCUMENT;
+        for part in parts {
+            let part = part.placed(self.len);
+            self.len += part.len();
+            if let (Some(tops), Some(root)) = (part.tops(), self.root) {
+                self.link(root, tops);
+                last = tops.1;
+            }
+            self.pieces.push(Piece::Kept(part));
+        }
+        last
+    }
+
+    /// Put nodes, of which these are the first and the last one, behind the last child of `parent`.
+    fn link(&mut self, parent: XId, (first, last): (XId, XId)) {
+        let Some(around) = self.own(parent) else {
+            return;
+        };
+        let mut links = around.links();
+        let before = links.last.replace(last);
+        links.first.get_or_insert(first);
+        around.set_links(links);
+        if let Some(node) = before.and_then(|before| self.own(before)) {
+            let links = node.links();
+            node.set_links(Links {
+                next: Some(first),
+                ..links
+            });
+        }
+        if let Some(node) = self.own(first) {
+            let links = node.links();
+            node.set_links(Links {
+                parent: Some(parent),
+                prev: before,
+                ..links
+            });
+        }
+    }
+
+    /// A node of this document alone.
+    fn own(&mut self, id: XId) -> Option<&mut XNode> {
+        let pieces = self.pieces.iter_mut().rev();
+        pieces
+            .filter_map(|piece| match piece {
+                Piece::Own { start, nodes, .. } => nodes.get_mut(id.index().checked_sub(*start)?),
+                Piece::Kept(_) => None,
+            })
+            .next()
+    }
+
+    /// Note the new number of an element whose parent was another one.
+    fn note(&mut self, parent: Option<XId>, old: XId, new: XId) {
+        if parent == Some(XId::DOCUMENT) && self.old_root == Some(old) {
+            self.root = Some(new);
+        } else if self.old_root.is_some() && parent == self.old_root {
+            self.moved.push((old, new));
+        }
+    }
+
+    fn tree(self) -> XTree {
+        let parts = self.pieces.into_iter().map(|piece| match piece {
+            Piece::Own {
+                start,
+                mut nodes,
+                tops,
+            } => {
+                nodes.shrink_to_fit();
+                Part::own(start, nodes, tops)
+            }
+            Piece::Kept(part) => part,
+        });
+        XTree::finished(Parts::new(parts.collect(), self.root))
+    }
+}
+
 #[cfg(test)]
 mod tests {
+    use super::super::node::{XId, XKind};
     use super::super::origin::Origin;
-    use super::super::tree::{XId, XKind, XTree};
+    use super::super::tree::XTree;
     use super::super::write::write;
 
     fn tree_of(children: &[(XKind, &str)]) -> XTree {

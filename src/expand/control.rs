@@ -4,13 +4,13 @@ use ecow::EcoString;
 use super::binding_info::{BindingInfo, BindingKind};
 use super::expander::Expander;
 use super::kind::ProblemKind;
+use super::names::EvalContext;
+use super::node::{XAttr, XId, XKind};
 use super::origin::{FrameKind, Origin};
 use super::request::Forced;
 use super::scope::{Block, PropertyState, TextOrigin};
-use super::state::EvalContext;
 use super::symbols::{SymbolKind, UseKind};
 use super::tag::Tag;
-use super::tree::{XAttr, XId, XKind};
 use super::undefined::UndefinedKind;
 use base::limits::BLOCK_DEPTH;
 use expr::{Value, display};
@@ -91,10 +91,8 @@ impl Expander<'_> {
             let name = EcoString::from(name.as_ref());
             self.defined(UndefinedKind::Arg, &name, cx.scope, place.origin);
             let definition = self.define(SymbolKind::Argument, &name, place.origin);
-            let given = self.names.args.get(&name).map(|(_, info)| *info);
-            if let Some(info) = given.and_then(|info| self.result.index.bindings.get_mut(info)) {
-                // given from outside: the first declaration is the one that counts
-                info.definition.get_or_insert(definition);
+            if let Some(&(_, info)) = self.names.args.get(&name) {
+                self.declare_given(info, definition);
             } else {
                 let mark = self.names.reads.len();
                 let value = default.as_ref().and_then(|(text, place)| {
@@ -112,7 +110,9 @@ impl Expander<'_> {
                 self.result
                     .record
                     .add(super::Read::Arg(name.to_string(), None));
-                self.names.args.insert(name, (value, info));
+                let given = (value, info);
+                self.note_declared(&name, &given);
+                self.names.args.insert(name, given);
             }
         }
         self.drop_comments(out, has_next);

@@ -4,13 +4,13 @@ use ecow::EcoString;
 use super::expander::Expander;
 use super::kind::ProblemKind;
 use super::macro_table::{MacroDef, MacroParam, MacroParams};
+use super::names::EvalContext;
+use super::node::XId;
 use super::origin::Origin;
 use super::problem::{Detail, Problem};
 use super::scope::{SrcRef, TextOrigin};
-use super::state::EvalContext;
 use super::symbols::{DefinitionId, SymbolKind};
 use super::tag::Tag;
-use super::tree::XId;
 use super::undefined::UndefinedKind;
 use super::{meant, params};
 use base::TextRange;
@@ -118,7 +118,9 @@ impl Expander<'_> {
             definition,
             params,
         };
+        let old = self.names.macros.own(cx.macros, &def.name).cloned();
         let def = self.names.macros.define(cx.macros, def);
+        self.note_defined(cx.macros, old, &def);
         if self.request.probe && self.guards.calls.is_empty() {
             self.probing.macros.push((def, cx));
         }

@@ -6,13 +6,13 @@ use ecow::EcoString;
 
 use super::expander::Expander;
 use super::kind::ProblemKind;
+use super::names::EvalContext;
+use super::node::{XAttr, XId, XKind};
 use super::origin::{FileIdx, Origin, SrcId};
 use super::params::strip;
 use super::scope::TextOrigin;
 use super::stack::with_stack;
-use super::state::EvalContext;
 use super::tag::{SiblingState, Tag};
-use super::tree::{XAttr, XId, XKind};
 use base::TextRange;
 use base::limits::ELEMENT_DEPTH;
 use expr::{Value, display, literal};
@@ -27,11 +27,17 @@ impl Expander<'_> {
         let document = used.source.document.clone();
         let header = used.first_source;
         let footer = SrcId(header.0 + 1 + used.items);
-        for node in document.header().nodes() {
-            if Some(node.id()) == document.root().map(|r| r.id()) {
-                self.eval_root(node, header, file, cx);
-            } else {
-                self.copy_verbatim(node, header, XId::DOCUMENT, cx);
+        if let Some(entry) = self.resume(file) {
+            let mut siblings = SiblingState::new(header, entry.root, cx);
+            siblings.eval_comments = entry.eval_comments;
+            self.eval_items(file, entry.item, siblings);
+        } else {
+            for node in document.header().nodes() {
+                if Some(node.id()) == document.root().map(|r| r.id()) {
+                    self.eval_root(node, header, file, cx);
+                } else {
+                    self.copy_verbatim(node, header, XId::DOCUMENT, cx);
+                }
             }
         }
         for node in document.epilog() {
@@ -80,11 +86,29 @@ impl Expander<'_> {
         let Some(used) = self.result.files.get(file) else {
             return;
         };
+        let siblings = SiblingState::new(used.first_source, out, cx);
+        self.eval_items(file, 0, siblings);
+    }
+
+    /// The children of a file's root element from an item on.
+    fn eval_items(&mut self, file: FileIdx, first: usize, mut siblings: SiblingState) {
+        let Some(used) = self.result.files.get(file) else {
+            return;
+        };
         let document = used.source.document.clone();
         let (header, count) = (used.first_source, used.items);
         let has_tail = document.footer_content().next().is_some();
-        let mut siblings = SiblingState::new(header, out, cx);
-        for i in 0..count {
+        let mut next = first;
+        while next < count as usize {
+            if self.is_marked(&siblings) {
+                if let Some(behind) = self.leave_out(next, &mut siblings) {
+                    next = behind;
+                    continue;
+                }
+                self.put_mark(next, &siblings);
+            }
+            let i = next as u32;
+            next += 1;
             siblings.src = SrcId(header.0 + 1 + i);
             let Some(item) = self
                 .result

@@ -2,11 +2,14 @@
 use ecow::EcoString;
 
 use super::before::Before;
+use super::binding_info::ArgumentValue;
 use super::binding_info::{BindingId, BindingInfo};
 use super::expansion::Expansion;
+use super::flow::{Flow, Gaps};
 use super::kind::ProblemKind;
 use super::macro_table::Macros;
-use super::memo::ArgumentValue;
+use super::names::{EvalContext, NameTables};
+use super::node::{XAttr, XId};
 use super::origin::{Frame, FrameId, FrameKind, Origin};
 use super::problem::{Problem, Severity};
 use super::problems::Problems;
@@ -14,10 +17,7 @@ use super::record::Read;
 use super::request::{Request, Sources};
 use super::scope::Scopes;
 use super::stack::with_stack;
-use super::state::{
-    EvalContext, Flow, Gaps, Guards, IncludeFrame, NameTables, Probing, ReadFiles, Steps,
-};
-use super::tree::{XAttr, XId, XKind};
+use super::state::{Guards, IncludeFrame, Probing, ReadFiles, Steps};
 use base::FastMap;
 use base::clock::Instant;
 use expr::Value;
@@ -89,7 +89,7 @@ impl<'w> Expander<'w> {
             definition: None,
             depth: 0,
         });
-        let marker = result.tree.add(XKind::Text, "\n\n".into(), Origin::NOWHERE);
+        let marker = result.tree.add_marker();
         Self {
             sources,
             request,
@@ -110,11 +110,13 @@ impl<'w> Expander<'w> {
     fn run(mut self) -> Expansion {
         self.bind_arguments();
         self.expand_root();
+        self.result.complete &= self.steps.marks.iter().all(|mark| mark.is_complete);
+        self.keep_open_scopes();
         self.admit_unknown();
         self.probe_macros();
         self.probe_properties();
         self.result.arguments = self.argument_values();
-        let broken = std::mem::take(&mut self.files.broken);
+        let broken = &self.files.broken;
         // what the recovered tree of a broken file seems to say is not trusted
         let trusted = |p: &Problem| p.kind.is_about_text() || !broken.contains(&p.place.file);
         let (kept, untrusted) = std::mem::take(&mut self.problems.list)
@@ -127,11 +129,13 @@ impl<'w> Expander<'w> {
         self.result.complete &= !self.result.has_errors();
         if self.request.keep {
             // it will be looked at often; what it was made with is not needed any more
-            (self.files.texts, self.names.scopes) = (FastMap::default(), Scopes::new());
-            let ordinals = self.step_ordinals();
+            self.files.texts = FastMap::default();
+            let passed = self.passed();
+            self.names.scopes = Scopes::new();
             let Expansion { tree, index, .. } = &mut self.result;
-            tree.compact(index.probes.iter_mut().map(|probe| &mut probe.content));
-            self.result.memo = Some(Box::new(self.placed_steps(&ordinals)));
+            let beside = index.probes.iter_mut().map(|probe| &mut probe.content);
+            let moved = tree.compact(beside);
+            self.result.memo = Some(Box::new(self.memo(&moved, passed)));
             self.result.shrink();
         }
         let result = std::mem::take(&mut self.result);

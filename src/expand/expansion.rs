@@ -7,11 +7,12 @@ use ecow::EcoString;
 use super::binding_info::{BindingId, BindingInfo};
 use super::evaluations::Evaluations;
 use super::memo::{Memo, StepKey};
+use super::node::XId;
 use super::origin::{FileIdx, Frame, FrameId, FrameKind, Origin, SourceItem, SrcId};
 use super::problem::{FileRange, Problem, Severity};
 use super::record::Record;
 use super::symbols::{DefinitionId, Symbols};
-use super::tree::{XId, XTree};
+use super::tree::XTree;
 use base::{IdVec, TextRange};
 use vfs::{LoadError, SourceFile};
 
@@ -113,7 +114,6 @@ impl Expansion {
 
     /// Give back the room for more of everything: a language server keeps expansions for long.
     pub(super) fn shrink(&mut self) {
-        self.tree.shrink();
         self.frames.shrink_to_fit();
         self.index.bindings.shrink_to_fit();
         self.sources.shrink_to_fit();
@@ -125,6 +125,12 @@ impl Expansion {
     /// How many macro calls were taken over from the expansion before.
     pub fn taken_over(&self) -> usize {
         self.memo.as_ref().map_or(0, |memo| memo.taken_over)
+    }
+
+    /// How many items of the root were not evaluated: they lie in front of the first one that is another one than in the expansion
+    /// before, or behind the last one, where everything stood as before.
+    pub fn left_out(&self) -> usize {
+        self.memo.as_ref().map_or(0, |memo| memo.left_out)
     }
 
     /// The macro calls below the root element that the next expansion may take over, each with its first element and the

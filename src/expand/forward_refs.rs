@@ -132,6 +132,7 @@ impl Expander<'_> {
             message: format!("{noun} `{name}` is defined here"),
         };
         for Early { problem, .. } in early {
+            self.problems.changed += 1;
             let Some(problem) = self.problems.list.get_mut(problem) else {
                 continue;
             };

@@ -6,13 +6,14 @@ use ecow::EcoString;
 use super::binding_info::{BindingInfo, BindingKind};
 use super::expander::Expander;
 use super::kind::ProblemKind;
+use super::names::EvalContext;
+use super::node::XId;
 use super::origin::{FileIdx, FrameKind, Origin};
 use super::record::Read;
 use super::scope::PropertyState;
-use super::state::{EvalContext, IncludeFrame};
+use super::state::IncludeFrame;
 use super::symbols::SymbolKind;
 use super::tag::Tag;
-use super::tree::XId;
 use base::TextRange;
 use base::limits::{GLOB_ENTRIES, GLOB_FILES};
 use base::paths::HERE;
@@ -152,6 +153,7 @@ impl Expander<'_> {
         let Some(name) = display::to_str(&value) else {
             return cx;
         };
+        self.steps.journal.is_lost = true;
         let macros = self.names.macros.push(None);
         let scope = self.names.scopes.push(cx.scope, true);
         self.names

@@ -16,13 +16,13 @@ pub(super) struct MacrosId(u32);
 
 base::ids!(MacrosId);
 
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) enum MacroEntry {
     Macro(Arc<MacroDef>),
     Namespace(MacrosId),
 }
 
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct MacroTable {
     pub(super) parent: Option<MacrosId>,
     entries: FastMap<EcoString, MacroEntry>,
@@ -227,6 +227,30 @@ impl Macros {
         self.table_mut(at)
             .entries
             .insert(name, MacroEntry::Namespace(table));
+    }
+
+    /// What the table itself holds of a name.
+    pub fn own(&self, at: MacrosId, name: &str) -> Option<&MacroEntry> {
+        self.table(at).entries.get(name)
+    }
+
+    /// Put an entry into a table, or take it away.
+    pub fn put(&mut self, at: MacrosId, name: &EcoString, entry: Option<MacroEntry>) {
+        let entries = &mut self.table_mut(at).entries;
+        match entry {
+            Some(entry) => entries.insert(name.clone(), entry),
+            None => entries.remove(name),
+        };
+    }
+
+    /// Take the table of the document away.
+    pub fn take_top(&mut self) -> MacroTable {
+        std::mem::take(self.table_mut(Self::TOP))
+    }
+
+    /// Replace the table of the document.
+    pub fn put_top(&mut self, table: MacroTable) {
+        *self.table_mut(Self::TOP) = table;
     }
 
     fn entry(&self, at: MacrosId, name: &str) -> Option<&MacroEntry> {

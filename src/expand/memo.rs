@@ -10,13 +10,14 @@ use std::sync::Arc;
 
 use ecow::EcoString;
 
-use super::binding_info::BindingId;
+use super::binding_info::{ArgumentValue, BindingId};
+use super::marks::Passed;
+use super::node::XId;
 use super::origin::{FrameId, SrcId};
 use super::record::Read;
 use super::request::Request;
 use super::scope::{NamesRead, SrcRef};
 use super::symbols::SymbolLog;
-use super::tree::XId;
 use base::TextRange;
 use expr::Value;
 use xml::NodeId;
@@ -28,8 +29,11 @@ pub(super) struct Memo {
     pub request: Request,
     /// In document order.
     pub steps: Vec<StepResult>,
-    /// How many of them were taken over from the expansion before.
+    /// Places between items to go on from.
+    pub passed: Option<Passed>,
+    /// How many of them were taken over from the expansion before, and how many items were not evaluated.
     pub taken_over: usize,
+    pub left_out: usize,
 }
 
 /// What tells a step from others: an expansion that takes it over has the same one.
@@ -89,9 +93,6 @@ pub(super) struct StepMemo {
     pub moves_marker: bool,
 }
 
-/// The value of an argument, where it is known, and its binding.
-pub(super) type ArgumentValue = (Option<EcoString>, BindingId);
-
 /// What a step reads from around it.
 #[derive(Debug, Default)]
 pub(super) struct StepReads {
@@ -101,7 +102,7 @@ pub(super) struct StepReads {
     /// Arguments: value and binding.
     pub args: Vec<(EcoString, Option<ArgumentValue>)>,
     /// Packages: name, the file that asks, the folder.
-    pub packages: Vec<(EcoString, PathBuf, PathBuf)>,
+    pub packages: Vec<(EcoString, PathBuf, Option<PathBuf>)>,
     /// Items whose text was evaluated.
     pub sources: Vec<SrcId>,
     /// Frames that what it gives refers to.

@@ -1,13 +1,19 @@
 //! What is noted of definitions, uses and values while evaluation goes on.
+use std::sync::Arc;
+
 use ecow::EcoString;
 
-use super::binding_info::BindingId;
+use super::binding_info::{ArgumentValue, BindingId};
 use super::evaluations::Evaluation;
 use super::expander::Expander;
+use super::journal::Change;
+use super::macro_table::{MacroDef, MacroEntry, Macros, MacrosId};
 use super::origin::Origin;
+use super::plain::holds_still;
+use super::scope::{Binding, PropertyState, Scopes};
 use super::symbols::{Definition, DefinitionId, SymbolKind, Use, UseKind};
 use base::TextRange;
-use expr::Value;
+use expr::{ScopeId, Value};
 
 impl Expander<'_> {
     /// Note what the expression at `at` gave; `mark` is how many reads there were before. Answers with their part of
@@ -94,5 +100,76 @@ impl Expander<'_> {
             .get(binding)
             .and_then(|info| info.definition);
         self.note_use(at, definition, kind);
+    }
+
+    /// Note that a scope gets a binding.
+    pub(super) fn note_bound(&mut self, scope: ScopeId, name: &EcoString, new: &Binding) {
+        if scope != Scopes::TOP || !self.steps.keeps {
+            return;
+        }
+        if let PropertyState::Ready(value) = &new.state {
+            self.steps.journal.is_lost |= !holds_still(value);
+        }
+        let old = self.names.scopes.get(scope).vars.get(name);
+        let change = Change::Property {
+            name: name.clone(),
+            old: old.map(|(_, binding)| binding.clone()),
+            new: new.clone(),
+        };
+        self.steps.journal.changes.push(change);
+    }
+
+    /// Note that a lazy property of the document has a value now.
+    pub(super) fn note_evaluated(
+        &mut self,
+        name: &EcoString,
+        (info, reads): (BindingId, TextRange),
+        value: &Value,
+    ) {
+        let binding = self.names.scopes.get(Scopes::TOP).vars.get(name);
+        let Some((_, binding)) = binding.filter(|_| self.steps.keeps) else {
+            return;
+        };
+        let change = Change::Forced {
+            name: name.clone(),
+            info,
+            lazy: binding.state.clone(),
+            value: value.clone(),
+            reads,
+        };
+        self.steps.journal.is_lost |= !holds_still(value);
+        self.steps.journal.changes.push(change);
+    }
+
+    /// Note that a macro is defined where another one or none was.
+    pub(super) fn note_defined(
+        &mut self,
+        at: MacrosId,
+        old: Option<MacroEntry>,
+        new: &Arc<MacroDef>,
+    ) {
+        if at == Macros::TOP && self.steps.keeps {
+            let new = Arc::clone(new);
+            self.steps.journal.changes.push(Change::Macro { old, new });
+        }
+    }
+
+    /// Note that an argument is declared.
+    pub(super) fn note_declared(&mut self, name: &EcoString, value: &ArgumentValue) {
+        if self.steps.keeps {
+            let (name, value) = (name.clone(), value.clone());
+            let change = Change::Argument { name, value };
+            self.steps.journal.changes.push(change);
+        }
+    }
+
+    /// An argument that is given from outside is declared: the first declaration is the one that counts.
+    pub(super) fn declare_given(&mut self, info: BindingId, definition: DefinitionId) {
+        let given = self.result.index.bindings.get_mut(info);
+        if let Some(given) = given.filter(|given| given.definition.is_none()) {
+            given.definition = Some(definition);
+            let change = Change::Declared { info, definition };
+            self.steps.journal.changes.push(change);
+        }
     }
 }

@@ -7,9 +7,9 @@ use std::sync::Arc;
 use super::expander::Expander;
 use super::expansion::Probe;
 use super::macro_table::MacroDef;
+use super::names::EvalContext;
 use super::origin::Origin;
 use super::problem::Problem;
-use super::state::EvalContext;
 use super::symbols::{Use, UseKind};
 
 impl Expander<'_> {

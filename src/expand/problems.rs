@@ -14,6 +14,8 @@ pub(super) struct Problems {
     seen: FastMap<(ProblemKind, FileIdx, TextRange), Vec<usize>>,
     /// How often somebody reported something or asked what is reported.
     touched: Cell<u64>,
+    /// How often one that was reported before was changed.
+    pub changed: usize,
 }
 
 impl Problems {
@@ -48,7 +50,18 @@ impl Problems {
             && !old.more_calls.contains(&call)
         {
             old.more_calls.push(call);
+            self.changed += 1;
         }
+    }
+
+    /// Put those back that another expansion had reported up to some place.
+    pub fn restore(&mut self, reported: &[Problem], touched: u64) {
+        for (number, problem) in reported.iter().enumerate() {
+            let key = (problem.kind, problem.place.file, problem.place.range);
+            self.seen.entry(key).or_default().push(number);
+        }
+        self.list = reported.to_vec();
+        self.touched.set(touched);
     }
 
     pub fn push(&mut self, mut problem: Problem) {

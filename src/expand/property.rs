@@ -7,12 +7,12 @@ use super::binding_info::{BindingInfo, BindingKind};
 use super::expander::Expander;
 use super::kind::ProblemKind;
 use super::meant;
+use super::names::EvalContext;
+use super::node::XId;
 use super::origin::Origin;
 use super::scope::{Binding, Block, PropertyState, Scopes, SrcRef, TextOrigin};
-use super::state::EvalContext;
 use super::symbols::SymbolKind;
 use super::tag::Tag;
-use super::tree::XId;
 use base::TextRange;
 use expr::{ScopeId, Value, display, is_global_symbol, is_identifier, literal, normalized};
 
@@ -198,11 +198,9 @@ impl Expander<'_> {
         }
         let info = self.add_binding(info);
         self.names.scopes.note_change(scope);
-        self.names
-            .scopes
-            .get_mut(scope)
-            .vars
-            .insert(key, Binding { state, info });
+        let new = Binding { state, info };
+        self.note_bound(scope, &key, &new);
+        self.names.scopes.get_mut(scope).vars.insert(key, new);
     }
 
     /// The scope `scope="parent"` means; none at the top.
@@ -365,6 +363,7 @@ impl Expander<'_> {
     }
 
     fn remove_property(&mut self, scope: ScopeId, name: &EcoString, place: TextOrigin) {
+        self.steps.journal.unclear += 1;
         self.names.scopes.remove_everywhere(scope, name);
         if is_global_symbol(name) {
             let message = format!("cannot remove the built-in symbol `{name}`");

@@ -50,6 +50,11 @@ impl Record {
         self.log.take().unwrap_or_default()
     }
 
+    /// How many there are.
+    pub(super) fn len(&self) -> usize {
+        self.reads.len()
+    }
+
     /// The reads in order.
     pub fn iter(&self) -> impl Iterator<Item = &Read> {
         self.reads.iter()

@@ -1,4 +1,5 @@
 //! Keeping a step: what is written down while a macro call of the root is evaluated.
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use ecow::EcoString;
@@ -6,16 +7,17 @@ use ecow::EcoString;
 use super::expander::Expander;
 use super::expansion::Expansion;
 use super::macro_table::Macros;
+use super::marks::Passed;
 use super::memo::{ForcedProperty, Memo, Recorder, StepMemo, StepReads, StepResult};
+use super::names::EvalContext;
+use super::node::{XId, XKind};
 use super::origin::{FrameId, SrcId};
 use super::plain::is_plain;
 use super::record::Read;
 use super::replay::frames_in;
 use super::request::Request;
 use super::scope::Scopes;
-use super::state::EvalContext;
 use super::tag::Tag;
-use super::tree::{XId, XKind};
 use base::{CancelFlag, Id};
 use xml::NodeId;
 
@@ -262,24 +264,22 @@ impl Expander<'_> {
         }
     }
 
-    /// Note the folder of a package.
-    pub(super) fn note_package(
-        &mut self,
-        name: &EcoString,
-        from: &std::path::Path,
-        folder: &std::path::Path,
-    ) {
+    /// Note the folder of a package, or that there is none.
+    pub(super) fn note_package(&mut self, name: &EcoString, from: &Path, folder: Option<&Path>) {
+        if !self.steps.keeps {
+            return;
+        }
+        let is_same = |(known, asks, _): &(EcoString, PathBuf, Option<PathBuf>)| {
+            known == name && asks == from
+        };
+        let read = || (name.clone(), from.to_owned(), folder.map(Path::to_owned));
+        if !self.steps.packages.iter().any(is_same) {
+            self.steps.packages.push(read());
+        }
         if let Some(recorder) = &mut self.steps.recorder
-            && !recorder
-                .reads
-                .packages
-                .iter()
-                .any(|(known, asks, _)| known == name && asks == from)
+            && !recorder.reads.packages.iter().any(is_same)
         {
-            recorder
-                .reads
-                .packages
-                .push((name.clone(), from.to_owned(), folder.to_owned()));
+            recorder.reads.packages.push(read());
         }
     }
 
@@ -297,51 +297,63 @@ impl Expander<'_> {
         }
     }
 
-    /// The steps with their places in the finished document, once it is compact; `ordinals` as [`Self::step_ordinals`] gave
-    /// them.
-    pub(super) fn placed_steps(&mut self, ordinals: &[usize]) -> Memo {
-        let tree = &self.result.tree;
-        let elements: Vec<XId> = tree
-            .root()
-            .into_iter()
-            .flat_map(|root| tree.elements(root))
-            .collect();
-        let steps = std::mem::take(&mut self.steps.done);
-        let steps = steps.into_iter().zip(ordinals);
-        let steps = steps.filter_map(|(kept, &ordinal)| {
-            let first = *elements.get(ordinal)?;
-            let last = *elements.get(ordinal + kept.step.elements - 1)?;
-            Some(StepResult {
-                content: (first, tree.behind(last)),
-                ..kept
-            })
+    /// What the next expansion may take over, with its places in the finished document: `moved` are the elements below the root
+    /// as they were numbered and as they are now.
+    pub(super) fn memo(&mut self, moved: &[(XId, XId)], passed: Option<Passed>) -> Memo {
+        let rest = std::mem::take(&mut self.steps.rest);
+        let number = |old: XId| {
+            moved
+                .iter()
+                .find(|(known, _)| *known == old)
+                .map(|(_, new)| *new)
+        };
+        let by = rest
+            .kept
+            .and_then(|(last, kept)| Some(number(kept)?.away_from(last)));
+        let by = by.unwrap_or_default();
+        let passed = passed.map(|mut passed| {
+            let mut elements = moved.iter().peekable();
+            for (at, mark) in passed.marks.iter_mut().enumerate().skip(rest.front.0) {
+                if !rest.marks.contains(&at) {
+                    // there may be several behind the same element
+                    while elements.next_if(|(old, _)| *old != mark.last).is_some() {}
+                    mark.last = elements.peek().map_or(mark.last, |(_, new)| *new);
+                } else if let Some((_, here)) = rest.last.filter(|(old, _)| *old == mark.last) {
+                    mark.last = number(here).unwrap_or(mark.last);
+                } else {
+                    mark.last = mark.last.moved(by);
+                }
+            }
+            passed
         });
+        let tree = &self.result.tree;
+        let mut elements = moved.iter();
+        let steps = std::mem::take(&mut self.steps.done);
+        let steps = steps.into_iter().enumerate().filter_map(|(at, kept)| {
+            let (first, behind) = kept.content;
+            let content = if at < rest.front.1 {
+                (first, behind)
+            } else if rest.steps.contains(&at) {
+                (first.moved(by), behind.moved(by))
+            } else {
+                let (_, first) = *elements.find(|(old, _)| *old == first)?;
+                let more = kept.step.elements.checked_sub(2);
+                let last = more.map_or(Some(first), |more| Some(elements.clone().nth(more)?.1));
+                (first, tree.behind(last?))
+            };
+            Some(StepResult { content, ..kept })
+        });
+        let steps = steps.collect();
         let request = Request {
             cancel: CancelFlag::default(),
             ..self.request.clone()
         };
         Memo {
             request,
-            steps: steps.collect(),
+            steps,
+            passed,
             taken_over: self.steps.taken_over,
+            left_out: self.steps.left_out,
         }
-    }
-
-    /// For each step, which element of the root its first one is.
-    pub(super) fn step_ordinals(&self) -> Vec<usize> {
-        let tree = &self.result.tree;
-        let mut wanted = self.steps.done.iter().map(|kept| kept.content.0).peekable();
-        let mut found = Vec::with_capacity(self.steps.done.len());
-        for (ordinal, element) in tree
-            .root()
-            .into_iter()
-            .flat_map(|root| tree.elements(root))
-            .enumerate()
-        {
-            if wanted.next_if_eq(&element).is_some() {
-                found.push(ordinal);
-            }
-        }
-        found
     }
 }

@@ -1,20 +1,18 @@
 //! Taking over the steps of the last expansion that still hold.
 use std::ops::Range;
-use std::path::Path;
 use std::sync::Arc;
 
 use super::expander::Expander;
 use super::expansion::Expansion;
 use super::memo::{StepMemo, StepReads, StepResult};
+use super::names::EvalContext;
+use super::node::{XId, XKind};
 use super::origin::{Frame, FrameId, SrcId};
-use super::plain::is_same_value;
-use super::scope::{Binding, Block, PropertyState, Scopes};
-use super::state::EvalContext;
+use super::same::{is_same_binding, is_same_source};
+use super::scope::{PropertyState, Scopes};
 use super::symbols::{Definition, DefinitionId, Symbols};
 use super::tag::Tag;
-use super::tree::{XId, XKind};
 use base::Id;
-use xml::Item;
 
 impl Expander<'_> {
     /// Take over what a call gave in the last expansion; `false`: it has to be evaluated.
@@ -119,7 +117,7 @@ impl Expander<'_> {
             sources,
             frames,
         } = reads;
-        let same_source = |src: &SrcId| self.is_same_source(before, *src);
+        let same_source = |src: &SrcId| is_same_source(before, &self.result, *src);
         self.leads_alike(before, frames)
             && sources.iter().all(same_source)
             && names.iter().all(|(name, then)| {
@@ -130,7 +128,7 @@ impl Expander<'_> {
                     .map(|(_, binding)| binding);
                 match (then, now) {
                     (None, None) => true,
-                    (Some(then), Some(now)) => self.is_same_binding(before, then, now),
+                    (Some(then), Some(now)) => is_same_binding(before, then, &self.result, now),
                     _ => false,
                 }
             })
@@ -149,7 +147,7 @@ impl Expander<'_> {
                 self.sources
                     .packages
                     .find(name, from)
-                    .is_ok_and(|now| now.path == *folder)
+                    .is_ok_and(|now| Some(&now.path) == folder.as_ref())
             })
     }
 
@@ -159,11 +157,14 @@ impl Expander<'_> {
         let given = &step.symbols.definitions;
         let mut next = now.definitions.len();
         let mut is_given_alike =
-            |(definition, id): &(Definition, DefinitionId)| match now.number_of(definition) {
+            |(at, (definition, id)): (usize, &(Definition, DefinitionId))| match now
+                .number_of(definition)
+            {
                 Some(known) => known == *id,
-                None if id.index() < next => given
-                    .iter()
-                    .any(|(other, same)| same == id && other.place == definition.place),
+                // only one that this step gave before has a number by now
+                None if id.index() < next => given.iter().take(at).any(|(other, same)| {
+                    (same, other.place, &other.name) == (id, definition.place, &definition.name)
+                }),
                 None => {
                     next += 1;
                     id.index() + 1 == next
@@ -172,7 +173,7 @@ impl Expander<'_> {
         let is_named_alike =
             |id| is_same_definition(now, then, id) || given.iter().any(|(_, given)| *given == id);
         let bindings = part(before.index.bindings.as_slice(), &step.bindings);
-        given.iter().all(&mut is_given_alike)
+        given.iter().enumerate().all(&mut is_given_alike)
             && step
                 .symbols
                 .uses
@@ -188,33 +189,6 @@ impl Expander<'_> {
     fn takes_marker(&self, has_next: bool, out: XId) -> bool {
         let first = self.result.tree.first_child(out);
         has_next && first.is_some_and(|first| self.result.tree.get(first).kind != XKind::Comment)
-    }
-
-    /// Whether an item is the same object in the same file, with the same header in front.
-    fn is_same_source(&self, before: &Expansion, src: SrcId) -> bool {
-        let Some((item, header, path)) = seen(&self.result, src) else {
-            return false;
-        };
-        seen(before, src).is_some_and(|(old_item, old_header, old_path)| {
-            Arc::ptr_eq(item, old_item) && Arc::ptr_eq(header, old_header) && path == old_path
-        })
-    }
-
-    fn is_same_binding(&self, before: &Expansion, then: &Binding, now: &Binding) -> bool {
-        then.info == now.info
-            && match (&then.state, &now.state) {
-                (PropertyState::Ready(then), PropertyState::Ready(now)) => is_same_value(then, now),
-                (PropertyState::Lazy(then, from), PropertyState::Lazy(now, at)) => {
-                    then == now
-                        && (from.origin, from.is_attr) == (at.origin, at.is_attr)
-                        && self.is_same_source(before, at.origin.src)
-                }
-                (
-                    PropertyState::Block(Block::Source(then)),
-                    PropertyState::Block(Block::Source(now)),
-                ) => then == now && self.is_same_source(before, now.src),
-                _ => false,
-            }
     }
 
     fn add_lists(&mut self, before: &Expansion, kept: &StepResult) {
@@ -253,6 +227,7 @@ impl Expander<'_> {
             self.names.scopes.note_evaluation(Scopes::TOP);
         }
         for forced in &step.forced {
+            self.note_evaluated(&forced.name, (forced.info, forced.reads), &forced.value);
             if let Some(info) = self.result.index.bindings.get_mut(forced.info) {
                 (info.reads, info.value) = (forced.reads, Some(forced.value.clone()));
             }
@@ -280,14 +255,6 @@ fn is_same_definition(now: &Symbols, then: &Symbols, id: DefinitionId) -> bool {
     now.get(id)
         .zip(then.get(id))
         .is_some_and(|(a, b)| a.place == b.place && a.name == b.name)
-}
-
-/// An item, the header of its file, and the path of the file.
-fn seen(expansion: &Expansion, src: SrcId) -> Option<(&Arc<Item>, &Arc<Item>, &Path)> {
-    let source = expansion.sources.get(src)?;
-    let file = expansion.files.get(source.file)?;
-    let header = expansion.sources.get(file.first_source)?;
-    Some((&source.item, &header.item, &file.source.path))
 }
 
 /// The frames that a frame refers to.

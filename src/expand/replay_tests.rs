@@ -249,6 +249,30 @@ fn calls_are_taken_over_that_an_edit_does_not_reach() {
 }
 
 #[test]
+fn items_are_left_out_that_an_edit_does_not_reach() {
+    let mut session = Session::new();
+    let items = ROBOT.matches("\n  <xacro:").count();
+    session.expand();
+    let mut check = |(old, new): (&str, &str), most: usize| {
+        session.change(old, new);
+        session.expand();
+        let evaluated = items.saturating_sub(session.last.as_ref().unwrap().left_out());
+        assert!(
+            evaluated <= most,
+            "{evaluated} of {items} items evaluated after {new}"
+        );
+    };
+    // a value that nothing behind it reads
+    check(("xyz=\"0 0 1\"", "xyz=\"0 0 7\""), 3);
+    check(("<!-- first -->", "<!-- other -->"), 3);
+    // a property that later items read
+    check(("value=\"world\"", "value=\"map\""), items - 6);
+    // a mistake, and back
+    check(("width=\"0.2\"", "width=\"${0.2\""), 4);
+    check(("width=\"${0.2\"", "width=\"0.2\""), 4);
+}
+
+#[test]
 fn an_expansion_after_random_edits_is_one_from_scratch() {
     let edits = std::env::var("XACRO_EDITS")
         .ok()
@@ -258,7 +282,8 @@ fn an_expansion_after_random_edits_is_one_from_scratch() {
         .ok()
         .and_then(|text| text.parse().ok())
         .unwrap_or(1);
-    let (mut session, mut dice, mut taken_over) = (Session::new(), Dice(seed), 0);
+    let (mut session, mut dice) = (Session::new(), Dice(seed));
+    let (mut taken_over, mut left_out) = (0, 0);
     for number in 0..edits {
         if number % 12 == 0 {
             FILES
@@ -268,8 +293,13 @@ fn an_expansion_after_random_edits_is_one_from_scratch() {
             session.expand();
         }
         session.random_edit(&mut dice);
+        if std::env::var_os("DBG").is_some() {
+            println!("EDIT {number}\n{}", session.texts.join("\n=====\n"));
+        }
         taken_over += session.expand();
+        left_out += session.last.as_ref().unwrap().left_out();
     }
-    println!("{taken_over} calls taken over in {edits} edits");
+    println!("{taken_over} calls taken over, {left_out} items left out in {edits} edits");
     assert!(taken_over > edits, "{taken_over} calls in {edits} edits");
+    assert!(left_out > 2 * edits, "{left_out} items in {edits} edits");
 }

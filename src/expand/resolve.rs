@@ -89,6 +89,7 @@ impl Expander<'_> {
         };
         let reads = self.take_reads(mark);
         if holder == Scopes::TOP {
+            self.note_evaluated(&name, (info, reads), &value);
             self.note_forced(|| ForcedProperty {
                 name: name.clone(),
                 info,

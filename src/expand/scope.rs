@@ -7,8 +7,8 @@ use indexmap::IndexMap;
 use rustc_hash::FxBuildHasher;
 
 use super::binding_info::BindingId;
+use super::node::XId;
 use super::origin::{Origin, SrcId};
-use super::tree::XId;
 use base::{Id, IdVec};
 use expr::{ScopeId, Value};
 use xml::NodeId;
@@ -58,7 +58,7 @@ pub(super) enum Block {
 }
 
 /// A property scope.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct PropertyScope {
     pub parent: Option<ScopeId>,
     /// Made by `ns=` of an include.
@@ -72,7 +72,7 @@ pub(super) struct PropertyScope {
 
 /// The names of a scope. Most scopes are those of macro calls and hold a few, which are searched one by one; a robot
 /// has thousands of them, and a table for each takes more room than all that is made of them.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Vars {
     few: Vec<(EcoString, Binding)>,
     /// All, once they are not few.
@@ -118,7 +118,7 @@ impl Vars {
         }
     }
 
-    fn remove(&mut self, name: &str) {
+    pub(super) fn remove(&mut self, name: &str) {
         self.few.retain(|(known, _)| known != name);
         self.many.shift_remove(name);
     }
@@ -285,6 +285,16 @@ impl Scopes {
         }
         found.sort_by(|(a, name, _), (b, other, _)| a.cmp(b).then_with(|| name.cmp(other)));
         found
+    }
+
+    /// The scopes with a property that was never evaluated, but for that of the document.
+    pub fn with_lazy(&self) -> impl Iterator<Item = ScopeId> {
+        let has_lazy = |(_, scope): &(ScopeId, &PropertyScope)| {
+            let mut bindings = scope.vars.iter().map(|(_, binding)| &binding.state);
+            bindings.any(|state| matches!(state, PropertyState::Lazy(..)))
+        };
+        let scopes = self.list.iter_ids().skip(1).filter(has_lazy);
+        scopes.map(|(id, _)| id)
     }
 
     /// Every name visible from `id`, for suggestions.

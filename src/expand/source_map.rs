@@ -1,7 +1,7 @@
 //! Which part of the printed document came from which text of the source.
 use super::escape::escape;
+use super::node::{XAttr, XId};
 use super::origin::Origin;
-use super::tree::{XAttr, XId};
 use base::TextRange;
 
 /// What an entry of the map is about.

@@ -1,60 +1,23 @@
 //! The parts of the state of an expansion.
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use ecow::EcoString;
 
 use super::before::Before;
-use super::binding_info::{BindingId, LazyUse};
-use super::macro_table::{MacroDef, Macros, MacrosId};
-use super::memo::{ArgumentValue, Recorder, StepResult};
-use super::origin::{FileIdx, FrameId};
+use super::journal::Journal;
+use super::macro_table::MacroDef;
+use super::marks::{Mark, Rest, Resumed};
+use super::memo::{Recorder, StepResult};
+use super::names::EvalContext;
+use super::origin::FileIdx;
 use super::request::Request;
-use super::scope::Scopes;
+use super::scope::PropertyScope;
 use super::split_text::SplitText;
-use super::undefined::Undefined;
 use base::clock::Instant;
 use base::limits::{self, EVAL_DEPTH};
 use base::{FastMap, FastSet};
 use expr::{Budget, ScopeId};
-
-/// What names mean where something is evaluated, and the calls and includes that led there.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct EvalContext {
-    pub scope: ScopeId,
-    pub macros: MacrosId,
-    pub frame: FrameId,
-}
-
-/// Names and what they stand for.
-pub(super) struct NameTables {
-    pub scopes: Scopes,
-    pub macros: Macros,
-    /// Arguments: value (none when unknown) and binding.
-    pub args: FastMap<EcoString, ArgumentValue>,
-    /// Lazy properties being evaluated, outermost first.
-    pub lazy_uses: Vec<LazyUse>,
-    /// Bindings read since the mark of whoever is interested.
-    pub reads: Vec<BindingId>,
-    /// Problems about undefined names, in case they turn out to be defined later.
-    pub undefined: Undefined,
-    /// Names that undefined ones were compared with.
-    pub compared: usize,
-}
-
-impl NameTables {
-    pub(super) fn new() -> Self {
-        Self {
-            scopes: Scopes::new(),
-            macros: Macros::new(),
-            args: FastMap::default(),
-            lazy_uses: Vec::new(),
-            reads: Vec::new(),
-            undefined: Undefined::default(),
-            compared: 0,
-        }
-    }
-}
 
 /// A file being processed: what relative names are relative to.
 #[derive(Clone, Debug)]
@@ -99,6 +62,8 @@ impl ReadFiles {
 /// What keeps an expansion from running forever.
 pub(super) struct Guards {
     pub budget: Budget,
+    /// Steps and bytes that there were at the start.
+    pub start: (u64, u64),
     pub deadline: Instant,
     /// Nodes since the start.
     pub ticks: u32,
@@ -115,6 +80,7 @@ impl Guards {
         let limits = &request.limits;
         Self {
             budget: Budget::new(limits.eval_steps, limits.output_bytes, EVAL_DEPTH),
+            start: (limits.eval_steps, limits.output_bytes),
             deadline: Instant::now() + limits.expand_time,
             ticks: 0,
             calls: Vec::new(),
@@ -122,32 +88,6 @@ impl Guards {
             nesting: 0,
         }
     }
-}
-
-/// Whether evaluation goes on, and under which conditions.
-#[derive(Clone, Copy, Default)]
-pub(super) struct Flow {
-    /// A limit was reached or the request was cancelled: wind up.
-    pub stopped: bool,
-    /// A file is missing inside an optional include: wind up until that include.
-    pub unwinding: bool,
-    /// Conditionals (and computed calls and includes) around the current element.
-    pub conditions: u32,
-    /// How many of these have an unknown value.
-    pub unknown_conditions: u32,
-}
-
-/// What could not be decided or read.
-#[derive(Clone, Copy, Default)]
-pub(super) struct Gaps {
-    /// An include is missing: undefined names then have a cause that was reported.
-    pub include_missing: bool,
-    /// The content of a condition or call is missing, because it could not be decided.
-    pub content_lost: bool,
-    /// How often that happened.
-    pub losses: u32,
-    /// A variable of the environment has one of several values.
-    pub guessed: bool,
 }
 
 /// What is evaluated although the document does not need it.
@@ -173,6 +113,21 @@ pub(super) struct Steps<'w> {
     pub taken_over: usize,
     /// How many nodes were not made since steps were taken over.
     pub nodes_left_out: usize,
+    /// Places between the items of the root.
+    pub marks: Vec<Mark>,
+    /// What changed of what was there.
+    pub journal: Journal,
+    /// The last expansion, where this one goes on from it.
+    pub resumed: Option<Resumed>,
+    /// How many items were not evaluated.
+    pub left_out: usize,
+    /// What was taken over from it.
+    pub rest: Rest,
+    /// Packages that were asked for: name, the file that asks, the folder.
+    pub packages: Vec<(EcoString, PathBuf, Option<PathBuf>)>,
+    /// Scopes with properties that nothing had evaluated at the end of the items, and macros that were defined until then.
+    pub open_scopes: Vec<(ScopeId, PropertyScope)>,
+    pub probed: Vec<(Arc<MacroDef>, EvalContext)>,
 }
 
 impl<'w> Steps<'w> {
@@ -184,6 +139,14 @@ impl<'w> Steps<'w> {
             recorder: None,
             taken_over: 0,
             nodes_left_out: 0,
+            marks: Vec::new(),
+            journal: Journal::default(),
+            resumed: None,
+            left_out: 0,
+            rest: Rest::default(),
+            packages: Vec::new(),
+            open_scopes: Vec::new(),
+            probed: Vec::new(),
         }
     }
 }

@@ -137,7 +137,7 @@ impl Expander<'_> {
             );
         match self.sources.packages.find(&name.text, &from) {
             Ok(found) => {
-                self.note_package(&name.text, &from, &found.path);
+                self.note_package(&name.text, &from, Some(&found.path));
                 self.result.record.add(Read::Package(
                     name.text.to_string(),
                     Some(found.path.clone()),
@@ -145,6 +145,7 @@ impl Expander<'_> {
                 Ok(slashed(&found.path).into())
             }
             Err(missing) => {
+                self.note_package(&name.text, &from, None);
                 self.result
                     .record
                     .add(Read::Package(name.text.to_string(), None));

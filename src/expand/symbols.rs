@@ -99,6 +99,8 @@ pub struct Symbols {
     pub quiet_uses: Vec<Use>,
     known: FastMap<(SourceRange, EcoString), DefinitionId>,
     seen: FastSet<Use>,
+    /// How often a definition that was known turned out to be conditional.
+    pub(super) changed: usize,
     log: Option<SymbolLog>,
 }
 
@@ -131,6 +133,16 @@ impl Symbols {
     /// All uses, also those by properties that nothing reads.
     pub fn all_uses(&self) -> impl Iterator<Item = &Use> {
         self.uses.iter().chain(&self.quiet_uses)
+    }
+
+    /// Put back the first definitions and the first uses of others.
+    pub(super) fn restore(&mut self, others: &Self, definitions: usize, uses: usize) {
+        for (id, given) in others.definitions.iter_ids().take(definitions) {
+            self.known.insert((given.place, given.name.clone()), id);
+            self.definitions.push(given.clone());
+        }
+        self.uses.extend(others.uses.iter().take(uses));
+        self.seen.extend(&self.uses);
     }
 
     /// Make room for as many as others are.
@@ -177,6 +189,8 @@ impl Symbols {
         if id == next {
             self.definitions.push(definition);
         } else if let Some(known) = self.definitions.get_mut(id) {
+            let is_new = definition.conditional && !known.conditional;
+            self.changed += usize::from(is_new);
             known.conditional |= definition.conditional;
         }
         id

@@ -1,7 +1,7 @@
 //! An element of the source as the pass over the document sees it.
+use super::names::EvalContext;
+use super::node::XId;
 use super::origin::SrcId;
-use super::state::EvalContext;
-use super::tree::XId;
 use xml::{Attr, Node};
 
 /// An element of the source as the pass sees it: `xacro:element` and `xacro:call` go on under another name.

@@ -3,145 +3,24 @@
 //! Expansion splices finished subtrees (macro bodies, blocks, includes) into place, so siblings
 //! are linked lists and moving a subtree costs nothing.
 #![allow(clippy::indexing_slicing)] // ids are made by this arena only and never outlive it
-use std::ops::{Deref, Range};
-use std::sync::Arc;
+use std::ops::Range;
 
 use ecow::EcoString;
 
+use super::node::{Attrs, Links, XAttr, XId, XKind, XNode};
 use super::origin::Origin;
-use base::{FastSet, Id, IdVec, TextRange};
-
-/// A node of the expanded document.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct XId(u32);
-
-base::ids!(XId);
-
-impl XId {
-    /// The document itself: parent of the prolog, the root element and the epilog.
-    pub const DOCUMENT: XId = XId(0);
-    const NIL: XId = XId(u32::MAX);
-
-    #[inline]
-    fn some(self) -> Option<XId> {
-        (self != XId::NIL).then_some(self)
-    }
-}
-
-/// The kinds of nodes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum XKind {
-    /// The document, or a container that is spliced away.
-    Container,
-    /// An element; `text` is its tag name.
-    Element,
-    /// Character data.
-    Text,
-    /// A comment, without its delimiters.
-    Comment,
-    /// A CDATA section, without its delimiters.
-    CData,
-    /// A processing instruction: target, blank, data.
-    Pi,
-    /// A document type declaration, as it is printed.
-    Doctype,
-}
-
-/// A node: what it is, what it says, and the source text it came from.
-#[derive(Clone, Debug)]
-pub struct XNode {
-    /// What it is.
-    pub kind: XKind,
-    /// Tag name or data.
-    pub text: EcoString,
-    /// Attributes in source order.
-    pub attrs: Attrs,
-    /// The source text that made this node, and how it got here.
-    pub origin: Origin,
-    parent: XId,
-    first: XId,
-    last: XId,
-    prev: XId,
-    next: XId,
-}
-
-impl XNode {
-    /// Whether it has no children.
-    #[inline]
-    pub fn is_leaf(&self) -> bool {
-        self.first == XId::NIL
-    }
-}
-
-/// The attributes of an element. Copies share them: blocks are inserted more than once, and models keep values.
-#[derive(Clone, Debug, Default)]
-pub struct Attrs(Option<Arc<[XAttr]>>);
-
-impl Attrs {
-    /// The attributes as a model shares them, and the place of one among them.
-    pub fn find(&self, name: &str) -> Option<(Arc<[XAttr]>, usize)> {
-        let attrs = self.0.as_ref()?;
-        let place = attrs.iter().position(|attr| attr.name == name)?;
-        Some((Arc::clone(attrs), place))
-    }
-}
-
-impl Deref for Attrs {
-    type Target = [XAttr];
-
-    #[inline]
-    fn deref(&self) -> &[XAttr] {
-        self.0.as_deref().unwrap_or_default()
-    }
-}
-
-impl<'a> IntoIterator for &'a Attrs {
-    type Item = &'a XAttr;
-    type IntoIter = std::slice::Iter<'a, XAttr>;
-
-    fn into_iter(self) -> Self::IntoIter {
-        self.iter()
-    }
-}
-
-impl FromIterator<XAttr> for Attrs {
-    fn from_iter<T: IntoIterator<Item = XAttr>>(attrs: T) -> Self {
-        let mut attrs = attrs.into_iter().peekable();
-        Self(attrs.peek().is_some().then(|| attrs.collect()))
-    }
-}
-
-/// An attribute of an expanded element.
-#[derive(Clone, Debug)]
-pub struct XAttr {
-    /// Its qualified name.
-    pub name: EcoString,
-    /// Its value after evaluation.
-    pub value: EcoString,
-    /// The value's text in the source (without quotes).
-    pub origin: Origin,
-    /// Which slices of the value came from which expressions; empty for text taken over verbatim.
-    pub pieces: Box<[Piece]>,
-}
-
-/// A slice of an evaluated text that an expression produced.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Piece {
-    /// Byte range in the evaluated text.
-    pub out: TextRange,
-    /// The `${...}` or `$(...)` it came from.
-    pub source: Origin,
-    /// Properties, parameters and arguments read on the way: see
-    /// [`Expansion::read_in`](super::Expansion::read_in).
-    pub reads: TextRange,
-    /// The expression could not be computed; the text reads `?` there.
-    pub unknown: bool,
-}
+use super::parts::{Part, Parts};
+use base::{FastSet, Id, IdVec};
 
 /// The arena.
 #[derive(Clone, Debug)]
 pub struct XTree {
+    /// While it grows: all nodes.
     nodes: IdVec<XId, XNode>,
+    /// Once it is finished: all nodes.
+    parts: Parts,
+    /// While it grows: elements that stand for children of the root element of another document.
+    kept: Vec<(XId, Vec<Part>)>,
     /// Attributes with a prefix that were set: minidom takes them for attributes of no namespace.
     set_with_prefix: FastSet<(XId, EcoString)>,
 }
@@ -150,6 +29,8 @@ impl Default for XTree {
     fn default() -> Self {
         let mut tree = Self {
             nodes: IdVec::from(Vec::with_capacity(256)),
+            parts: Parts::default(),
+            kept: Vec::new(),
             set_with_prefix: FastSet::default(),
         };
         tree.add(XKind::Container, EcoString::new(), Origin::NOWHERE);
@@ -179,35 +60,61 @@ impl XTree {
         self.nodes.reserve(nodes);
     }
 
-    /// Give back the room for more nodes.
-    pub(super) fn shrink(&mut self) {
-        self.nodes.shrink_to_fit();
+    /// A document of these nodes.
+    pub(super) fn finished(parts: Parts) -> Self {
+        Self {
+            nodes: IdVec::default(),
+            parts,
+            kept: Vec::new(),
+            set_with_prefix: FastSet::default(),
+        }
     }
 
+    /// All nodes, each with its links.
     #[cfg(debug_assertions)]
-    pub(super) fn all(&self) -> &[XNode] {
-        self.nodes.as_slice()
+    pub(super) fn all(&self) -> Vec<XNode> {
+        let ids = (0..self.len()).map(XId::from_index);
+        let seen = |id| {
+            let mut node = self.get(id).clone();
+            node.set_links(self.links(id));
+            node
+        };
+        ids.map(seen).collect()
     }
 
     /// How many nodes were ever made.
     #[inline]
     pub fn len(&self) -> usize {
-        self.nodes.len()
+        self.nodes.len() + self.parts.len()
     }
 
     /// Whether nothing was made but the document itself.
     #[inline]
     pub fn is_empty(&self) -> bool {
-        self.nodes.len() <= 1
+        self.len() <= 1
     }
 
     /// The node of an id.
     #[inline]
     pub fn get(&self, id: XId) -> &XNode {
-        &self.nodes.as_slice()[id.index()]
+        if self.parts.is_empty() {
+            &self.nodes.as_slice()[id.index()]
+        } else {
+            self.parts.node(id)
+        }
     }
 
-    /// The node of an id, to be changed.
+    /// Where a node stands.
+    #[inline]
+    pub(super) fn links(&self, id: XId) -> Links {
+        if self.parts.is_empty() {
+            self.get(id).links()
+        } else {
+            self.parts.links(id)
+        }
+    }
+
+    /// The node of an id, to be changed, while the document grows.
     #[inline]
     pub fn get_mut(&mut self, id: XId) -> &mut XNode {
         &mut self.nodes.as_mut_slice()[id.index()]
@@ -216,31 +123,51 @@ impl XTree {
     /// The node's parent.
     #[inline]
     pub fn parent(&self, id: XId) -> Option<XId> {
-        self.get(id).parent.some()
+        if self.parts.is_empty() {
+            self.nodes.as_slice()[id.index()].parent.some()
+        } else {
+            self.parts.parent(id)
+        }
     }
 
     /// The first child.
     #[inline]
     pub fn first_child(&self, id: XId) -> Option<XId> {
-        self.get(id).first.some()
+        if self.parts.is_empty() {
+            self.nodes.as_slice()[id.index()].first.some()
+        } else {
+            self.parts.first(id)
+        }
     }
 
     /// The last child.
     #[inline]
     pub fn last_child(&self, id: XId) -> Option<XId> {
-        self.get(id).last.some()
+        if self.parts.is_empty() {
+            self.nodes.as_slice()[id.index()].last.some()
+        } else {
+            self.parts.last(id)
+        }
     }
 
     /// The sibling behind.
     #[inline]
     pub fn next_sibling(&self, id: XId) -> Option<XId> {
-        self.get(id).next.some()
+        if self.parts.is_empty() {
+            self.nodes.as_slice()[id.index()].next.some()
+        } else {
+            self.parts.next(id)
+        }
     }
 
     /// The sibling in front.
     #[inline]
     pub fn prev_sibling(&self, id: XId) -> Option<XId> {
-        self.get(id).prev.some()
+        if self.parts.is_empty() {
+            self.nodes.as_slice()[id.index()].prev.some()
+        } else {
+            self.parts.prev(id)
+        }
     }
 
     /// The children in order.
@@ -330,26 +257,92 @@ impl XTree {
         self.get_mut(parent).last = id;
     }
 
+    /// The marker of comments, without a place.
+    pub(super) fn add_marker(&mut self) -> XId {
+        self.add(XKind::Text, "\n\n".into(), Origin::NOWHERE)
+    }
+
+    /// Whether attributes with a prefix were set.
+    pub(super) fn has_set_prefixes(&self) -> bool {
+        !self.set_with_prefix.is_empty()
+    }
+
+    /// Put back what lies in front of a node behind a child of the root element, which gets other attributes; answers with an element
+    /// that stands for all of it below the root element.
+    pub(super) fn restore(
+        &mut self,
+        from: &Self,
+        (last, end): (XId, XId),
+        (root, attrs): (XId, Attrs),
+    ) -> Option<XId> {
+        self.nodes.clear();
+        for id in (0..=root.index()).map(XId::from_index) {
+            let mut node = from.get(id).clone();
+            node.set_links(from.links(id));
+            self.nodes.push(node);
+        }
+        let node = self.get_mut(root);
+        (node.first, node.last, node.next) = (XId::NIL, XId::NIL, XId::NIL);
+        node.attrs = attrs;
+        self.get_mut(XId::DOCUMENT).last = root;
+        self.keep(from, (XId::from_index(root.index() + 1)..end, last), root)
+    }
+
+    /// Add children of the root element of another document, of which the last is `last`: an element stands for them while this one
+    /// grows. None where there are none.
+    pub(super) fn keep(
+        &mut self,
+        from: &Self,
+        (range, last): (Range<XId>, XId),
+        parent: XId,
+    ) -> Option<XId> {
+        let parts = from.parts.slice(range, last);
+        if parts.is_empty() {
+            return None;
+        }
+        let id = self.add(XKind::Element, EcoString::new(), Origin::NOWHERE);
+        self.append(parent, id);
+        self.kept.push((id, parts));
+        Some(id)
+    }
+
+    /// What a node says, without its place; it says nothing any more.
+    pub(super) fn take(&mut self, id: XId) -> XNode {
+        let node = self.get_mut(id);
+        let mut taken = XNode {
+            text: std::mem::take(&mut node.text),
+            attrs: std::mem::take(&mut node.attrs),
+            ..*node
+        };
+        taken.set_links(Links::default());
+        taken
+    }
+
+    /// What an element stands for.
+    pub(super) fn take_kept(&mut self, id: XId) -> Option<Vec<Part>> {
+        let place = self.kept.iter().position(|(known, _)| *known == id)?;
+        Some(self.kept.swap_remove(place).1)
+    }
+
     /// Copy nodes of a compact tree, from the first of some siblings up to what lies behind the last one, to the end of
     /// `parent`.
     pub(super) fn graft(&mut self, from: &Self, (first, end): (XId, XId), parent: XId) {
         let start = self.nodes.len() as u32;
         let old = first.0..end.0;
-        let range = first.index()..end.index();
-        self.nodes.extend(
-            from.nodes.as_slice()[range.clone()]
-                .iter()
-                .map(|node| XNode {
-                    parent: moved(node.parent, &old, start),
-                    first: moved(node.first, &old, start),
-                    last: moved(node.last, &old, start),
-                    prev: moved(node.prev, &old, start),
-                    next: moved(node.next, &old, start),
-                    ..node.clone()
-                }),
-        );
-        for (id, node) in (start..).map(XId).zip(&from.nodes.as_slice()[range]) {
-            if !old.contains(&node.parent.0) {
+        for number in old.clone() {
+            let mut node = from.get(XId(number)).clone();
+            let links = from.links(XId(number));
+            let moved = |link: Option<XId>| moved(link?, &old, start);
+            node.set_links(Links {
+                parent: moved(links.parent),
+                first: moved(links.first),
+                last: moved(links.last),
+                prev: moved(links.prev),
+                next: moved(links.next),
+            });
+            let is_top = node.parent == XId::NIL;
+            let id = self.nodes.push(node);
+            if is_top {
                 self.append(parent, id);
             }
         }
@@ -407,12 +400,8 @@ impl XTree {
 }
 
 /// The new number of a node whose old one is in a range that begins again at `start`; none of a node outside of it.
-fn moved(id: XId, old: &Range<u32>, start: u32) -> XId {
-    if old.contains(&id.0) {
-        XId(id.0 - old.start + start)
-    } else {
-        XId::NIL
-    }
+fn moved(id: XId, old: &Range<u32>, start: u32) -> Option<XId> {
+    old.contains(&id.0).then(|| XId(id.0 - old.start + start))
 }
 
 /// A qualified name without its prefix.

@@ -5,7 +5,7 @@ use super::expansion::Expansion;
 
 /// Compare everything that can be seen of two expansions.
 pub(super) fn same(made: &Expansion, fresh: &Expansion) {
-    list("node", made.tree.all(), fresh.tree.all());
+    list("node", &made.tree.all(), &fresh.tree.all());
     list("frame", made.frames.as_slice(), fresh.frames.as_slice());
     list(
         "binding",

@@ -1,8 +1,9 @@
 //! The expanded document as text, byte for byte as the reference prints it.
 use super::escape::escape;
+use super::node::{XAttr, XId, XKind};
 use super::params::is_space;
 use super::source_map::{MapBuilder, MapEntry, MapKind};
-use super::tree::{XAttr, XId, XKind, XTree};
+use super::tree::XTree;
 
 /// The text, and which node made which line.
 #[derive(Clone, Debug, Default)]

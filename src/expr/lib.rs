@@ -54,6 +54,7 @@ pub use syntax::{
 pub use template::{Code, Template, TemplateToken, split};
 pub use value::{
     DateValue, Dict, DictView, List, Module, Range, Set, Slice, Str, Tuple, Type, Value, ViewKind,
+    changes_in_place,
 };
 
 pub use words::{WordKind, words};

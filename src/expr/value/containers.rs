@@ -3,6 +3,7 @@
 //! Mutable containers are shared objects. Readers take a snapshot (a reference count, no copy) and let go of the lock
 //! before they look at the items, so a list may contain itself; writers copy only if a snapshot is still around.
 
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use ecow::EcoVec;
@@ -16,6 +17,19 @@ use super::{Key, Value};
 pub(crate) type DictMap = IndexMap<Key, Value, FxBuildHasher>;
 /// The elements of a set in insertion order.
 pub(crate) type SetMap = IndexSet<Key, FxBuildHasher>;
+
+/// How often a container was changed in place.
+static CHANGES: AtomicU64 = AtomicU64::new(0);
+
+/// How often a list, dict or set was changed in place since the program began: as long as that is the same, what holds one has
+/// the same value.
+pub fn changes_in_place() -> u64 {
+    CHANGES.load(Ordering::SeqCst)
+}
+
+fn note_change() {
+    CHANGES.fetch_add(1, Ordering::SeqCst);
+}
 
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
@@ -90,6 +104,7 @@ impl List {
 
     /// Change the items; `change` must not evaluate anything.
     pub(crate) fn edit<T>(&self, change: impl FnOnce(&mut EcoVec<Value>) -> T) -> T {
+        note_change();
         change(&mut lock(&self.0.items))
     }
 
@@ -210,6 +225,7 @@ impl Dict {
 
     /// Change the entries; `change` must not evaluate anything.
     pub(crate) fn edit<T>(&self, change: impl FnOnce(&mut DictMap) -> T) -> T {
+        note_change();
         change(Arc::make_mut(&mut lock(&self.0.map)))
     }
 
@@ -276,6 +292,7 @@ impl Set {
 
     /// Change the elements; `change` must not evaluate anything.
     pub(crate) fn edit<T>(&self, change: impl FnOnce(&mut SetMap) -> T) -> T {
+        note_change();
         change(Arc::make_mut(&mut lock(&self.0.items)))
     }
 

@@ -15,7 +15,7 @@ use num_traits::ToPrimitive;
 
 use super::host::ScopeId;
 use super::stop::{Eval, Stop};
-pub use containers::{Dict, List, Set, Tuple};
+pub use containers::{Dict, List, Set, Tuple, changes_in_place};
 pub(crate) use containers::{DictMap, SetMap};
 pub use date::DateValue;
 pub(crate) use date::{date_repr, date_text};

@@ -1,0 +1,165 @@
+//! Putting marks between the items of a root: see [`Mark`].
+use super::expander::Expander;
+use super::marks::{Lengths, Mark, Numbers, Passed, Passing};
+use super::node::{XId, XKind};
+use super::params::is_space;
+use super::scope::Scopes;
+use super::tag::SiblingState;
+use expr::ScopeId;
+
+impl Expander<'_> {
+    /// Items between marks: what a mark takes is more than most items cost, and less than so many.
+    const STRIDE: usize = if cfg!(test) { 1 } else { 8 };
+
+    /// Whether these are the items of the root.
+    pub(super) fn is_marked(&self, siblings: &SiblingState) -> bool {
+        self.steps.keeps
+            && self.files.open.len() == 1
+            && self.result.tree.parent(siblings.out) == Some(XId::DOCUMENT)
+            && !self.steps.journal.is_lost
+    }
+
+    /// Put a mark in front of an item where one belongs and where one is possible.
+    pub(super) fn put_mark(&mut self, item: usize, siblings: &SiblingState) {
+        let is_known = (self.steps.marks.last()).is_some_and(|mark| mark.item >= item);
+        if item == 0 || !item.is_multiple_of(Self::STRIDE) || is_known || self.flow.stopped {
+            return;
+        }
+        if let Some(mark) = self.mark(item, siblings) {
+            self.result.complete = true;
+            self.steps.marks.push(mark);
+        }
+    }
+
+    /// How everything stands in front of an item; none where what follows may still change what is there.
+    pub(super) fn mark(&self, item: usize, siblings: &SiblingState) -> Option<Mark> {
+        let (last, has_marker) = self.last_element(siblings.out)?;
+        let tree = &self.result.tree;
+        if !has_marker
+            && tree.parent(self.marker).is_some()
+            && tree.parent(self.marker) != Some(siblings.out)
+        {
+            return None;
+        }
+        if tree.has_set_prefixes() {
+            return None;
+        }
+        let state = Passing {
+            gaps: self.gaps,
+            eval_comments: siblings.eval_comments,
+            has_marker,
+            evaluated: self.names.scopes.get(Scopes::TOP).evaluated,
+            attrs: tree.get(siblings.out).attrs.clone(),
+        };
+        Some(Mark {
+            item,
+            last,
+            numbers: self.numbers(),
+            lengths: self.lengths(),
+            state,
+            is_complete: self.result.complete,
+            has_undefined: !self.names.undefined.is_empty(),
+            touched: self.problems.touched(),
+            in_place: expr::changes_in_place(),
+            compared: self.names.compared,
+            glob_entries: self.files.glob_entries,
+        })
+    }
+
+    /// The last element, and whether the marker stands behind it; none when there is a comment or text behind it.
+    fn last_element(&self, out: XId) -> Option<(XId, bool)> {
+        let tree = &self.result.tree;
+        let mut has_marker = false;
+        let mut last = tree.last_child(out);
+        while let Some(id) = last {
+            let node = tree.get(id);
+            if node.kind == XKind::Element {
+                return Some((id, has_marker));
+            }
+            if node.kind != XKind::Text || !node.text.chars().all(is_space) {
+                return None;
+            }
+            has_marker |= id == self.marker;
+            last = tree.prev_sibling(id);
+        }
+        None
+    }
+
+    pub(super) fn numbers(&self) -> Numbers {
+        let result = &self.result;
+        Numbers {
+            frames: result.frames.len(),
+            bindings: result.index.bindings.len(),
+            reads: result.index.reads.len(),
+            definitions: result.index.symbols.definitions.len(),
+            scopes: self.names.scopes.len(),
+            tables: self.names.macros.len(),
+            files: result.files.len(),
+            sources: result.sources.len(),
+        }
+    }
+
+    pub(super) fn lengths(&self) -> Lengths {
+        let (result, journal) = (&self.result, &self.steps.journal);
+        let symbols = &result.index.symbols;
+        Lengths {
+            evaluations: result.index.evaluations.len(),
+            uses: symbols.uses.len(),
+            record: result.record.len(),
+            messages: result.messages.len(),
+            includes: result.includes.len(),
+            problems: self.problems.list.len(),
+            changes: journal.changes.len(),
+            unclear: journal.unclear + symbols.changed + self.problems.changed,
+            macros: self.probing.macros.len(),
+            steps: self.steps.done.len(),
+            nodes: self.nodes_made(),
+            spent: (
+                self.guards.start.0 - self.guards.budget.steps,
+                self.guards.start.1 - self.guards.budget.bytes,
+            ),
+        }
+    }
+
+    /// What the next expansion may need of what was made here, at the end of the items: before anything is evaluated that the
+    /// document does not need.
+    pub(super) fn keep_open_scopes(&mut self) {
+        if !self.steps.keeps {
+            return;
+        }
+        let scopes = &self.names.scopes;
+        let mut kept: Vec<ScopeId> = Vec::new();
+        for id in scopes.with_lazy() {
+            let around = std::iter::successors(Some(id), |&id| scopes.get(id).parent);
+            kept.extend(around.take_while(|&id| id != Scopes::TOP));
+        }
+        kept.sort_unstable();
+        kept.dedup();
+        self.steps.open_scopes = kept
+            .into_iter()
+            .map(|id| (id, scopes.get(id).clone()))
+            .collect();
+        self.steps.probed.clone_from(&self.probing.macros);
+    }
+
+    /// What the next expansion may go on from; none when the root says things that cannot be put back.
+    pub(super) fn passed(&mut self) -> Option<Passed> {
+        if self.steps.journal.is_lost || self.flow.stopped || !self.files.broken.is_empty() {
+            return None;
+        }
+        let lengths = self.lengths();
+        let steps = &mut self.steps;
+        Some(Passed {
+            marks: std::mem::take(&mut steps.marks),
+            changes: std::mem::take(&mut steps.journal.changes),
+            unclear: lengths.unclear,
+            in_place: expr::changes_in_place(),
+            top: std::mem::take(self.names.scopes.get_mut(Scopes::TOP)),
+            macros: self.names.macros.take_top(),
+            args: std::mem::take(&mut self.names.args),
+            scopes: std::mem::take(&mut steps.open_scopes),
+            probed: std::mem::take(&mut steps.probed),
+            packages: std::mem::take(&mut steps.packages),
+        })
+    }
+}

@@ -1,0 +1,329 @@
+//! Leaving out the items behind an edit, once everything stands as it did there in the last expansion of the same root.
+use std::ops::Range;
+use std::sync::Arc;
+
+use super::expander::Expander;
+use super::expansion::{Expansion, FileUse};
+use super::journal::Change;
+use super::marks::{Mark, Passed};
+use super::memo::StepResult;
+use super::origin::SrcId;
+use super::record::Read;
+use super::resume::part;
+use super::same::is_same_change;
+use super::scope::Scopes;
+use super::symbols::{Definition, Use};
+use super::tag::SiblingState;
+use base::Id;
+
+impl Expander<'_> {
+    /// Leave out the items behind a mark of the last expansion when everything stands as it did there; the item to go on with.
+    pub(super) fn leave_out(&mut self, item: usize, siblings: &mut SiblingState) -> Option<usize> {
+        let resumed = self.steps.resumed.as_ref()?;
+        if item < resumed.changed.end || !resumed.is_current {
+            return None;
+        }
+        let before = self.steps.before?;
+        let passed = before.memo.passed.as_ref()?;
+        let at = passed
+            .marks
+            .binary_search_by_key(&item, |mark| mark.item)
+            .ok()?;
+        let (from, then, end) = (
+            passed.marks.get(resumed.from)?,
+            passed.marks.get(at)?,
+            passed.marks.last()?,
+        );
+        let now = self.mark(item, siblings)?;
+        let is_alike = then.item < end.item
+            && now.numbers == then.numbers
+            && (end.state.attrs.is_same(&then.state.attrs)
+                || now.state.attrs.is_same(&then.state.attrs))
+            && self.stands_as(before.expansion, &now, then)
+            && self.did_the_same(before.expansion, passed, (from, then), &now)
+            && self.leads_on(passed, then, end)
+            && self.has_room_for(&now, then, end);
+        if !is_alike {
+            return None;
+        }
+        let marks = passed.marks.get(at..)?;
+        self.add_between(before.expansion, passed, &now, (then, end), siblings);
+        self.add_calls(
+            before
+                .memo
+                .steps
+                .get(then.lengths.steps..end.lengths.steps)?,
+            &now,
+            then,
+        );
+        self.add_marks(&now, marks);
+        siblings.eval_comments = end.state.eval_comments;
+        self.steps.resumed = None;
+        self.steps.left_out += end.item - item;
+        Some(end.item)
+    }
+
+    /// Whether nothing that is seen from the items behind is different.
+    fn stands_as(&self, before: &Expansion, now: &Mark, then: &Mark) -> bool {
+        let (state, old) = (&now.state, &then.state);
+        let files = |expansion: &Expansion| -> Vec<FileUse> {
+            expansion
+                .files
+                .iter()
+                .take(then.numbers.files)
+                .skip(1)
+                .cloned()
+                .collect()
+        };
+        let is_same_file =
+            |(a, b): (&FileUse, &FileUse)| Arc::ptr_eq(&a.source, &b.source) && a.name == b.name;
+        state.gaps.is_same(old.gaps)
+            && (state.eval_comments, state.has_marker, state.evaluated)
+                == (old.eval_comments, old.has_marker, old.evaluated)
+            && now.in_place == then.in_place
+            && now.glob_entries == then.glob_entries
+            && self.flow.is_calm()
+            && files(&self.result)
+                .iter()
+                .zip(&files(before))
+                .all(is_same_file)
+    }
+
+    /// Whether the items in between changed the same names in the same way, and were the first to read and to name the same
+    /// things.
+    fn did_the_same(
+        &self,
+        before: &Expansion,
+        passed: &Passed,
+        (from, then): (&Mark, &Mark),
+        now: &Mark,
+    ) -> bool {
+        let changes = part(&passed.changes, from.lengths.changes..then.lengths.changes);
+        let own = part(
+            &self.steps.journal.changes,
+            from.lengths.changes..now.lengths.changes,
+        );
+        let is_same = |(a, b): (&Change, &Change)| is_same_change((a, &self.result), (b, before));
+        let record = |expansion: &'_ Expansion, range: Range<usize>| -> Vec<Read> {
+            let reads = expansion.record.iter().skip(range.start);
+            reads.take(range.len()).cloned().collect()
+        };
+        changes.len() == own.len()
+            && own.iter().zip(changes).all(is_same)
+            && record(&self.result, from.lengths.record..now.lengths.record)
+                == record(before, from.lengths.record..then.lengths.record)
+            && self.named_the_same(before, (from, then), now)
+    }
+
+    /// Whether the items in between were the first to give and to use the same names outside of the texts that are other ones.
+    fn named_the_same(&self, before: &Expansion, (from, then): (&Mark, &Mark), now: &Mark) -> bool {
+        let Some(resumed) = &self.steps.resumed else {
+            return false;
+        };
+        let first = self
+            .result
+            .files
+            .first()
+            .map_or(0, |file| file.first_source.index())
+            + 1;
+        let changed = first + resumed.changed.start..first + resumed.changed.end;
+        let is_own = |src: SrcId| changed.contains(&src.index());
+        let (symbols, old) = (&self.result.index.symbols, &before.index.symbols);
+        let definitions = from.numbers.definitions..then.numbers.definitions;
+        let is_same = |(a, b): (&Definition, &Definition)| {
+            (a.kind, &a.name, a.of) == (b.kind, &b.name, b.of)
+                && (a.place == b.place || is_own(a.place.src) && is_own(b.place.src))
+        };
+        let given = part(symbols.definitions.as_slice(), definitions.clone());
+        let foreign = |uses: &[Use]| -> Vec<Use> {
+            uses.iter()
+                .copied()
+                .filter(|used| !is_own(used.place.src))
+                .collect()
+        };
+        given
+            .iter()
+            .zip(part(old.definitions.as_slice(), definitions))
+            .all(is_same)
+            && foreign(part(&symbols.uses, from.lengths.uses..now.lengths.uses))
+                == foreign(part(&old.uses, from.lengths.uses..then.lengths.uses))
+    }
+
+    /// Whether the items behind reported nothing, and define no name that was asked for too early.
+    fn leads_on(&self, passed: &Passed, then: &Mark, end: &Mark) -> bool {
+        let changes = part(&passed.changes, then.lengths.changes..end.lengths.changes);
+        let is_early = |name| self.names.undefined.keys().any(|(_, early)| early == name);
+        let behind = passed.marks.iter().rev();
+        let mut behind = behind.take_while(|mark| mark.item > then.item);
+        then.touched == end.touched
+            && behind.all(|mark| mark.is_complete)
+            && (then.lengths.unclear, then.in_place) == (end.lengths.unclear, end.in_place)
+            && (self.names.undefined.is_empty()
+                || !changes.iter().filter_map(Change::defines).any(is_early))
+    }
+
+    /// Whether no limit is reached in the items behind.
+    fn has_room_for(&self, now: &Mark, then: &Mark, end: &Mark) -> bool {
+        let all = now.lengths.and_between(&then.lengths, &end.lengths);
+        let more = end.lengths.evaluations - then.lengths.evaluations;
+        all.nodes as u64 <= self.request.limits.expand_nodes
+            && all.spent.0 <= self.guards.start.0
+            && all.spent.1 <= self.guards.start.1
+            && self.result.index.evaluations.has_room(more)
+    }
+
+    /// Add what the items between two marks gave.
+    fn add_between(
+        &mut self,
+        before: &Expansion,
+        passed: &Passed,
+        now: &Mark,
+        (then, end): (&Mark, &Mark),
+        siblings: &SiblingState,
+    ) {
+        let (from, to) = (&then.lengths, &end.lengths);
+        let result = &mut self.result;
+        let index = &before.index;
+        result.frames.extend_from_slice(part(
+            before.frames.as_slice(),
+            then.numbers.frames..end.numbers.frames,
+        ));
+        result.sources.extend_from_slice(part(
+            before.sources.as_slice(),
+            then.numbers.sources..end.numbers.sources,
+        ));
+        for (file, used) in before
+            .files
+            .iter_ids()
+            .take(end.numbers.files)
+            .skip(then.numbers.files)
+        {
+            self.files.by_path.insert(used.source.path.clone(), file);
+            result.files.push(used.clone());
+        }
+        for read in before.record.iter().take(to.record).skip(from.record) {
+            result.record.add(read.clone());
+        }
+        result
+            .index
+            .reads
+            .extend_from_slice(part(&index.reads, then.numbers.reads..end.numbers.reads));
+        result
+            .index
+            .evaluations
+            .extend_from(&index.evaluations, from.evaluations..to.evaluations);
+        for definition in part(
+            index.symbols.definitions.as_slice(),
+            then.numbers.definitions..end.numbers.definitions,
+        ) {
+            result.index.symbols.add(definition.clone());
+        }
+        for &used in part(&index.symbols.uses, from.uses..to.uses) {
+            result.index.symbols.add_use(used, false);
+        }
+        result
+            .messages
+            .extend_from_slice(part(&before.messages, from.messages..to.messages));
+        result
+            .includes
+            .extend_from_slice(part(&before.includes, from.includes..to.includes));
+        self.probing
+            .macros
+            .extend_from_slice(part(&passed.probed, from.macros..to.macros));
+        self.guards.budget.steps -= to.spent.0 - from.spent.0;
+        self.guards.budget.bytes -= to.spent.1 - from.spent.1;
+        self.gaps.losses += end.state.gaps.losses - then.state.gaps.losses;
+        self.add_names(before, passed, (then, end));
+        self.add_elements(before, now, (then, end), siblings);
+    }
+
+    /// The names of the document that the items between two marks change, and their bindings.
+    fn add_names(&mut self, before: &Expansion, passed: &Passed, (then, end): (&Mark, &Mark)) {
+        let names = &mut self.names;
+        let given = then.numbers.bindings..end.numbers.bindings;
+        let own = &mut self.result.index.bindings;
+        own.extend_from_slice(part(before.index.bindings.as_slice(), given));
+        // what the end of the expansion did is done again there
+        let later = passed.changes.get(end.lengths.changes..);
+        for change in later.unwrap_or_default().iter().rev() {
+            change.undo_binding(own);
+        }
+        let changes = part(&passed.changes, then.lengths.changes..end.lengths.changes);
+        for change in changes {
+            change.redo(names, own);
+        }
+        self.steps.journal.changes.extend_from_slice(changes);
+        names.scopes.get_mut(Scopes::TOP).evaluated = end.state.evaluated;
+        names.scopes.skip(end.numbers.scopes - then.numbers.scopes);
+        names.macros.skip(end.numbers.tables - then.numbers.tables);
+        for (id, scope) in &passed.scopes {
+            if (then.numbers.scopes..end.numbers.scopes).contains(&id.index()) {
+                *names.scopes.get_mut(*id) = scope.clone();
+            }
+        }
+    }
+
+    /// The nodes between two marks.
+    fn add_elements(
+        &mut self,
+        before: &Expansion,
+        now: &Mark,
+        (then, end): (&Mark, &Mark),
+        siblings: &SiblingState,
+    ) {
+        let (tree, old) = (&mut self.result.tree, &before.tree);
+        tree.detach(self.marker);
+        let range = old.behind(then.last)..old.behind(end.last);
+        let kept = tree.keep(old, (range, end.last), siblings.out);
+        let rest = &mut self.steps.rest;
+        (rest.last, rest.kept) = (
+            Some((then.last, now.last)),
+            kept.map(|kept| (end.last, kept)),
+        );
+        if end.state.has_marker {
+            tree.append(siblings.out, self.marker);
+        }
+        // only what these items set
+        if !end.state.attrs.is_same(&then.state.attrs) {
+            tree.get_mut(siblings.out).attrs = end.state.attrs.clone();
+        }
+        let all = now.lengths.and_between(&then.lengths, &end.lengths).nodes;
+        self.steps.nodes_left_out = all - self.result.tree.len();
+    }
+
+    /// The macro calls between two marks.
+    fn add_calls(&mut self, steps: &[StepResult], now: &Mark, then: &Mark) {
+        let first = self.steps.done.len();
+        self.steps.taken_over += steps.len();
+        let moved = steps.iter().map(|kept| StepResult {
+            evaluations: kept.evaluations + now.lengths.evaluations - then.lengths.evaluations,
+            ..kept.clone()
+        });
+        self.steps.done.extend(moved);
+        self.steps.rest.steps = first..self.steps.done.len();
+    }
+
+    /// The marks from the one where everything stood alike to the last one.
+    fn add_marks(&mut self, now: &Mark, marks: &[Mark]) {
+        let Some(then) = marks.first() else { return };
+        let has_undefined = !self.names.undefined.is_empty();
+        if (self.steps.marks.last()).is_none_or(|last| last.item < now.item) {
+            self.result.complete = true;
+            self.steps.marks.push(now.clone());
+        }
+        let first = self.steps.marks.len();
+        for mark in marks.iter().skip(1) {
+            let mut moved = mark.clone();
+            moved.lengths = now.lengths.and_between(&then.lengths, &mark.lengths);
+            moved.state.gaps.losses =
+                now.state.gaps.losses + mark.state.gaps.losses - then.state.gaps.losses;
+            moved.touched = now.touched + mark.touched - then.touched;
+            moved.has_undefined |= has_undefined;
+            if mark.state.attrs.is_same(&then.state.attrs) {
+                moved.state.attrs = now.state.attrs.clone();
+            }
+            self.steps.marks.push(moved);
+        }
+        self.steps.rest.marks = first..self.steps.marks.len();
+    }
+}

@@ -1,0 +1,218 @@
+//! Going on from the last expansion of the same root: what lies in front of the first item that is another one is as it was, and
+//! what lies behind the last one is too, once everything stands as it did there.
+use std::ops::Range;
+use std::sync::Arc;
+
+use super::expander::Expander;
+use super::expansion::Expansion;
+use super::marks::{Mark, Passed, Resumed};
+use super::node::XId;
+use super::origin::FileIdx;
+use super::problem::Severity;
+use super::record::Read;
+use super::scope::Scopes;
+use base::Id;
+use base::limits::GLOB_ENTRIES;
+
+/// Where the items of a root go on.
+pub(super) struct Entry {
+    /// The root element.
+    pub root: XId,
+    /// The first item to be evaluated.
+    pub item: usize,
+    pub eval_comments: bool,
+}
+
+impl<'w> Expander<'w> {
+    /// Put everything as it was in front of the first item of the root that is another one than in the last expansion; none where
+    /// all items have to be evaluated.
+    pub(super) fn resume(&mut self, file: FileIdx) -> Option<Entry> {
+        let before = self.steps.before?;
+        let passed = before.memo.passed.as_ref()?;
+        let changed = self.changed_items(before.expansion, file)?;
+        let now = expr::changes_in_place();
+        if passed.in_place != now
+            || !self.has_same_packages(passed)
+            || !self.problems.list.is_empty()
+        {
+            return None;
+        }
+        let reads = self.reads_that_hold(before.expansion)?;
+        // a hole that nobody has reported is looked for at the end, in what is evaluated
+        let first_hole = passed.marks.iter().find(|mark| !mark.is_complete);
+        let is_reported = |mark: &Mark| {
+            let reported = part(&before.expansion.problems, 0..mark.lengths.problems);
+            first_hole.is_none_or(|hole| mark.item < hole.item)
+                || reported.iter().any(|one| one.severity == Severity::Error)
+        };
+        let is_usable = |mark: &Mark| {
+            is_reported(mark)
+                && mark.item <= changed.start
+                && mark.lengths.record <= reads
+                && (mark.lengths.unclear, mark.in_place) == (passed.unclear, now)
+                && !mark.has_undefined
+        };
+        let from = passed.marks.iter().rposition(is_usable)?;
+        let mark = passed.marks.get(from)?;
+        let root = before.expansion.tree.root()?;
+        self.restore(before.expansion, passed, mark, root);
+        self.steps.marks = passed.marks.get(..=from)?.to_vec();
+        self.steps.taken_over = mark.lengths.steps;
+        self.steps.left_out = mark.item;
+        self.steps.rest.front = (from + 1, mark.lengths.steps);
+        let steps = before.memo.steps.get(..mark.lengths.steps)?;
+        self.steps.done = steps.to_vec();
+        self.steps.resumed = Some(Resumed {
+            from,
+            changed,
+            is_current: reads == before.expansion.record.len(),
+        });
+        debug_assert_eq!(self.numbers(), mark.numbers);
+        debug_assert_eq!(self.lengths(), mark.lengths);
+        Some(Entry {
+            root,
+            item: mark.item,
+            eval_comments: mark.state.eval_comments,
+        })
+    }
+
+    /// The items of the root that are other ones than before; none where that does not tell all.
+    fn changed_items(&self, before: &Expansion, file: FileIdx) -> Option<Range<usize>> {
+        let (now, then) = (self.result.files.get(file)?, before.files.get(file)?);
+        let (document, old) = (&now.source.document, &then.source.document);
+        let is_alike = now.source.path == then.source.path
+            && (now.items, now.first_source) == (then.items, then.first_source)
+            && document.errors().is_empty()
+            && old.errors().is_empty();
+        document.items_not_in(old).filter(|_| is_alike)
+    }
+
+    fn has_same_packages(&self, passed: &Passed) -> bool {
+        passed.packages.iter().all(|(name, from, folder)| {
+            let now = self.sources.packages.find(name, from);
+            now.ok().map(|found| found.path) == *folder
+        })
+    }
+
+    /// How many of the reads, from the first, say the same as before.
+    fn reads_that_hold(&self, before: &Expansion) -> Option<usize> {
+        let root = before.files.first()?;
+        let mut left = GLOB_ENTRIES;
+        let mut holds = |read: &Read| match read {
+            Read::File(path, _) if **path == *root.source.path => true,
+            Read::File(path, hash) => {
+                let kept = before.files.iter().find(|file| *file.source.path == **path);
+                match kept {
+                    Some(kept) => self
+                        .sources
+                        .vfs
+                        .document(path)
+                        .is_ok_and(|now| Arc::ptr_eq(&now, &kept.source)),
+                    None => self.sources.vfs.document_hash(path) == Some(*hash),
+                }
+            }
+            Read::Missing(path) => !self.sources.vfs.is_file(path),
+            Read::Glob(pattern, found) => self
+                .sources
+                .vfs
+                .glob(pattern, &self.sources.env.cwd, &mut left)
+                .is_ok_and(|now| now == *found),
+            Read::Package(..) | Read::Env(..) | Read::Arg(..) => true,
+        };
+        Some(before.record.iter().take_while(|read| holds(read)).count())
+    }
+
+    /// Put everything as it was at a mark.
+    fn restore(&mut self, before: &Expansion, passed: &Passed, mark: &Mark, root: XId) {
+        let (numbers, lengths) = (&mark.numbers, &mark.lengths);
+        let result = &mut self.result;
+        let behind = before.tree.behind(mark.last);
+        let attrs = mark.state.attrs.clone();
+        result
+            .tree
+            .restore(&before.tree, (mark.last, behind), (root, attrs));
+        self.marker = result.tree.add_marker();
+        if mark.state.has_marker {
+            result.tree.append(root, self.marker);
+        }
+        result.frames.clear();
+        result
+            .frames
+            .extend_from_slice(part(before.frames.as_slice(), 0..numbers.frames));
+        let own = result.sources.len();
+        let more = before.sources.as_slice().get(own..numbers.sources);
+        result.sources.extend_from_slice(more.unwrap_or_default());
+        let files = before
+            .files
+            .as_slice()
+            .get(1..numbers.files)
+            .unwrap_or_default();
+        for (file, used) in before.files.iter_ids().take(numbers.files).skip(1) {
+            self.files.by_path.insert(used.source.path.clone(), file);
+        }
+        result.files.extend_from_slice(files);
+        for read in before
+            .record
+            .iter()
+            .take(lengths.record)
+            .skip(result.record.len())
+        {
+            result.record.add(read.clone());
+        }
+        let index = &before.index;
+        result
+            .index
+            .reads
+            .extend_from_slice(part(&index.reads, 0..numbers.reads));
+        result
+            .index
+            .evaluations
+            .extend_from(&index.evaluations, 0..lengths.evaluations);
+        let symbols = &mut result.index.symbols;
+        symbols.restore(&index.symbols, numbers.definitions, lengths.uses);
+        result.messages = part(&before.messages, 0..lengths.messages).to_vec();
+        result.includes = part(&before.includes, 0..lengths.includes).to_vec();
+        self.problems
+            .restore(part(&before.problems, 0..lengths.problems), mark.touched);
+        self.restore_names(before, passed, mark);
+        self.gaps = mark.state.gaps;
+        self.files.glob_entries = mark.glob_entries;
+        self.names.compared = mark.compared;
+        self.probing.macros = part(&passed.probed, 0..lengths.macros).to_vec();
+        self.guards.budget.steps = self.guards.start.0 - lengths.spent.0;
+        self.guards.budget.bytes = self.guards.start.1 - lengths.spent.1;
+        self.steps.packages.clone_from(&passed.packages);
+        self.steps.journal.unclear = lengths.unclear;
+        self.steps.journal.changes = part(&passed.changes, 0..lengths.changes).to_vec();
+        self.steps.nodes_left_out = lengths.nodes - self.result.tree.len();
+    }
+
+    /// The names of the document as they were at a mark, and the bindings.
+    fn restore_names(&mut self, before: &Expansion, passed: &Passed, mark: &Mark) {
+        let names = &mut self.names;
+        *names.scopes.get_mut(Scopes::TOP) = passed.top.clone();
+        names.macros.put_top(passed.macros.clone());
+        names.args.clone_from(&passed.args);
+        let bindings = &mut self.result.index.bindings;
+        bindings.clear();
+        let kept = part(before.index.bindings.as_slice(), 0..mark.numbers.bindings);
+        bindings.extend_from_slice(kept);
+        let later = passed.changes.get(mark.lengths.changes..);
+        for change in later.unwrap_or_default().iter().rev() {
+            change.undo(names, bindings);
+        }
+        names.scopes.get_mut(Scopes::TOP).evaluated = mark.state.evaluated;
+        names.scopes.skip(mark.numbers.scopes - names.scopes.len());
+        names.macros.skip(mark.numbers.tables - names.macros.len());
+        for (id, scope) in &passed.scopes {
+            if id.index() < mark.numbers.scopes {
+                *names.scopes.get_mut(*id) = scope.clone();
+            }
+        }
+    }
+}
+
+/// A part of a list; nothing of one that is shorter.
+pub(super) fn part<T>(list: &[T], range: Range<usize>) -> &[T] {
+    list.get(range).unwrap_or_default()
+}
