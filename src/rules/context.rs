@@ -11,7 +11,7 @@ use super::package::{Manifests, PackageMention};
 use super::xacro::MentionedWords;
 use base::{FastMap, FastSet};
 use expand::{Expansion, FileIdx, Problem, StepKey, XId};
-use facts::{Marks, facts_of, is_keyword};
+use facts::{Marks, is_keyword, parts_where};
 use model::{AttrValue, Joint, Kinematics, Link, Meshes, Robot, SharedList, Version};
 use packages::Packages;
 use vfs::{SourceFile, Vfs};
@@ -94,12 +94,11 @@ pub(super) fn elements(document: &Document) -> impl Iterator<Item = (u32, Node<'
 /// The elements of the items that may hold something, with the offset their ranges count from.
 pub(super) fn elements_where(
     document: &Document,
-    may: impl Fn(Marks) -> bool,
+    may: impl Fn(Marks) -> bool + Copy,
 ) -> impl Iterator<Item = (u32, Node<'_>)> {
-    let parts = document.parts().skip(1);
-    parts
-        .filter(move |(_, item)| may(facts_of(item).marks))
-        .flat_map(elements_of)
+    let parts = parts_where(document, may);
+    let below_root = parts.filter(|(_, item)| !Arc::ptr_eq(item, document.header()));
+    below_root.flat_map(elements_of)
 }
 
 /// The elements of the items that hold others than [`facts::ORDINARY_TAGS`] and tags of xacro.
