@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use super::consumers::Met;
 use super::frames::Distances;
-use super::geometry::Resources;
+use super::geometry::{MeshReference, Resources};
 use super::package::{Manifests, PackageMention};
 use super::xacro::MentionedWords;
 use base::{FastMap, FastSet};
@@ -154,6 +154,8 @@ pub struct DocumentCx<'a> {
     pub complete: bool,
     /// The meshes that the robot names, once a rule has asked.
     pub(super) resources: OnceCell<Resources>,
+    /// Where it names them, once a rule has asked.
+    pub(super) mesh_references: OnceCell<Vec<MeshReference<'a>>>,
     /// What the texts mention, once a rule has asked.
     pub(super) mentions: OnceCell<Option<Vec<MentionedWords>>>,
     /// The shapes that stand in bodies without a geometry, of the bodies that a rule has asked about.
@@ -208,6 +210,7 @@ impl<'a> DocumentCx<'a> {
             world,
             complete,
             resources: OnceCell::new(),
+            mesh_references: OnceCell::new(),
             mentions: OnceCell::new(),
             bare_shapes: RefCell::default(),
             constructs: OnceCell::new(),
