@@ -6,7 +6,7 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 use base::FastMap;
-use facts::{Fact, FactKind, facts};
+use facts::{Fact, FactKind, facts, parts_where};
 use packages::Packages;
 use vfs::{SourceFile, Vfs};
 use workspace::config::Pattern;
@@ -15,10 +15,8 @@ use xml::{Document, Node};
 
 /// The arguments that are the whole name of a file that a file includes: `extra` of `$(arg extra)`.
 fn given_whole(source: &SourceFile) -> Vec<String> {
-    let nodes = source
-        .document
-        .parts()
-        .flat_map(|(_, item)| item.all_nodes());
+    let nodes =
+        parts_where(&source.document, |marks| marks.include).flat_map(|(_, item)| item.all_nodes());
     let includes = nodes.filter(|node| node.name() == "xacro:include");
     let whole = |node: Node<'_>| {
         let name = node
@@ -74,8 +72,7 @@ fn read(source: &SourceFile, packages: &Packages) -> impl Iterator<Item = Option
     let document = &source.document;
     // one whose prefix was forgotten is meant to include the file as well
     let is_include = |node: &Node<'_>| ["xacro:include", "include"].contains(&node.name());
-    let nodes = document
-        .parts()
+    let nodes = parts_where(document, |marks| marks.include)
         .flat_map(|(_, item)| item.all_nodes())
         .filter(is_include);
     let names = nodes.filter_map(|node| {

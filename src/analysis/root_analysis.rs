@@ -159,12 +159,13 @@ impl RootAnalysis {
 fn verify(made: Option<&Robot>, fresh: Option<&Robot>) {
     let shown = |robot: &Robot| {
         let links = robot.links.iter();
-        // numbers are read when they are asked for
+        // numbers and what names say are read when they are asked for
         links
             .filter_map(|link| link.inertial.as_ref())
             .for_each(|inertial| {
                 inertial.entries();
             });
+        robot.naming();
         format!("{robot:?}")
     };
     assert_eq!(

@@ -250,7 +250,10 @@ fn called(expansion: &Expansion) -> FastSet<Span> {
         .frames
         .iter()
         .filter(|frame| frame.kind == FrameKind::Macro);
-    let origins: FastSet<Origin> = calls.filter_map(|frame| frame.definition).collect();
+    let mut origins: Vec<Origin> = calls.filter_map(|frame| frame.definition).collect();
+    // most calls in a row are of one macro
+    origins.dedup();
+    let origins: FastSet<Origin> = origins.into_iter().collect();
     let span = |origin: Origin| {
         let place = expansion.place(origin)?;
         let file = expansion.files.get(place.file)?;

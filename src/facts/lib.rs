@@ -21,7 +21,7 @@ pub use mentions::{Mention, MentionKind, Site};
 pub use tags::{XACRO_TAGS, XacroAttribute, XacroTag, is_keyword, xacro_tag};
 
 use base::TextRange;
-use xml::{Document, Item, NodeId};
+use xml::{Document, Item, ItemRun, NodeId};
 
 /// The kinds of named things.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -108,4 +108,39 @@ impl Facts {
 /// The facts of all parts of a document: header, items, footer; each with the offset its ranges count from.
 pub fn facts(document: &Document) -> impl Iterator<Item = (u32, FactsOf<'_>)> {
     document.parts().map(|(base, item)| (base, facts_of(item)))
+}
+
+/// The parts of a document that may hold something: header, items, footer; each with the offset its ranges count from. Of items in
+/// a row of which none does, each is not asked.
+pub fn parts_where(
+    document: &Document,
+    may: impl Fn(Marks) -> bool + Copy,
+) -> impl Iterator<Item = (u32, &Arc<Item>)> {
+    let header = std::iter::once((0, document.header()));
+    let footer = std::iter::once((document.footer_start(), document.footer()));
+    let runs = document
+        .item_runs()
+        .filter(move |(_, run)| may(marks_of_run(run)));
+    let items = runs.flat_map(|(mut next, run)| {
+        run.iter().map(move |item| {
+            let start = next;
+            next += item.len();
+            (start, item)
+        })
+    });
+    let parts = header.chain(items).chain(footer);
+    parts.filter(move |(_, item)| may(facts_of(item).marks))
+}
+
+/// Whether a part of a document may hold something.
+pub fn may_hold(document: &Document, may: impl Fn(Marks) -> bool + Copy) -> bool {
+    parts_where(document, may).next().is_some()
+}
+
+/// What one of several items may hold; kept with these.
+fn marks_of_run(run: &ItemRun) -> Marks {
+    *run.cached(|items| {
+        let marks = items.iter().map(|item| facts_of(item).marks);
+        Arc::new(marks.fold(Marks::default(), Marks::or))
+    })
 }

@@ -1,6 +1,7 @@
 //! Facts of small documents, printed.
 
-use super::{Marks, facts, facts_of};
+use super::{Marks, facts, facts_of, may_hold, parts_where};
+use base::TextRange;
 use xml::Document;
 
 #[track_caller]
@@ -46,6 +47,7 @@ fn marks_say_what_an_item_may_hold() {
             "<mesh filename='$(find arm)/a.stl'/>",
             Marks {
                 package: true,
+                file_tag: true,
                 ..Marks::default()
             },
         ),
@@ -64,12 +66,56 @@ fn marks_say_what_an_item_may_hold() {
                 ..Marks::default()
             },
         ),
+        (
+            "<xacro:macro name='m'><a x='${n == True} {n}'/><include/></xacro:macro>",
+            Marks {
+                macro_tag: true,
+                other_tag: true,
+                include: true,
+                bare_brace: true,
+                truth: true,
+                ..Marks::default()
+            },
+        ),
+        (
+            "<parameters>a ${b} ($c)</parameters>",
+            Marks {
+                parameters: true,
+                other_tag: true,
+                bare_brace: true,
+                ..Marks::default()
+            },
+        ),
     ];
     for (text, expected) in table {
         let document = Document::parse(&format!("<robot>{text}</robot>"));
         let (_, item) = document.items().next().unwrap();
         assert_eq!(facts_of(item).marks, expected, "{text}");
     }
+}
+
+/// Items in a row are asked together, also after edits that change one of them, or how many there are.
+#[test]
+fn parts_that_hold_something_are_found_after_edits() {
+    let text = format!("<robot>{}</robot>", "<link name='a'/>".repeat(300));
+    let mut document = Document::parse(&text);
+    let starts = |document: &Document| -> Vec<u32> {
+        parts_where(document, |marks| marks.condition)
+            .map(|(start, _)| start)
+            .collect()
+    };
+    assert_eq!(starts(&document), []);
+    let before = document.clone();
+    let at = 7 + 16 * 200;
+    document.edit(TextRange::new(at, at + 16), "<xacro:if value='1'/>");
+    assert_eq!(starts(&document), [at]);
+    assert_eq!(starts(&before), []);
+    document.edit(TextRange::empty(7), "<xacro:unless value='1'/>");
+    assert_eq!(starts(&document), [7, at + 25]);
+    document.edit(TextRange::new(at + 25, at + 25 + 21), "");
+    assert_eq!(starts(&document), [7]);
+    assert!(may_hold(&document, |marks| marks.condition));
+    assert!(!may_hold(&document, |marks| marks.include));
 }
 
 #[test]

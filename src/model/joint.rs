@@ -17,6 +17,8 @@ pub struct Joint {
     pub name: Option<AttrValue>,
     /// Its `type`.
     pub kind: Option<AttrValue>,
+    /// The same, when it is known and one of URDF's: many rules ask for it.
+    known_kind: Option<JointType>,
     /// The `link` of its `parent`.
     pub parent: Option<AttrValue>,
     /// The `link` of its `child`.
@@ -203,10 +205,12 @@ impl Joint {
         let [parent, child, origin, axis, limit, dynamics, mimic, safety] =
             first_children(tree, element, NAMES);
         let end = |end: Option<XId>| AttrValue::attr(tree, end?, "link");
+        let kind = AttrValue::attr(tree, element, "type");
         Self {
             element,
             name: AttrValue::attr(tree, element, "name"),
-            kind: AttrValue::attr(tree, element, "type"),
+            known_kind: kind.as_ref().and_then(|kind| JointType::of(kind.name()?)),
+            kind,
             parent: end(parent),
             child: end(child),
             origin: origin.map(|origin| Pose::of(tree, origin)),
@@ -233,7 +237,7 @@ impl Joint {
 
     /// Its type, when it is known and one of URDF's.
     pub fn joint_type(&self) -> Option<JointType> {
-        JointType::of(self.kind.as_ref()?.name()?)
+        self.known_kind
     }
 
     /// Whether it is of one of these types; false when its type is not known.

@@ -2,6 +2,7 @@
 
 use ecow::EcoString;
 
+use super::link::Link;
 use super::robot::Robot;
 use base::{FastMap, FastSet};
 
@@ -69,6 +70,13 @@ impl Kinematics {
             parent_joints,
             ends,
         }
+    }
+
+    /// Whether a link has the name of an earlier one.
+    pub(super) fn has_repeated_link(&self, robot: &Robot) -> bool {
+        let is_named = |link: &Link| link.name.as_ref().and_then(|name| name.name()).is_some();
+        let mut links = robot.links.iter().zip(&self.counts);
+        links.any(|(link, counts)| !counts && is_named(link))
     }
 
     /// The link of a name.

@@ -9,6 +9,7 @@ mod kept;
 mod kinematics;
 mod link;
 mod mesh;
+mod naming;
 mod pose;
 mod renamed;
 mod robot;
@@ -29,6 +30,7 @@ pub use mesh::{
     Bounds, Defect, DefectKind, Dependency, Edges, Mesh, MeshFormat, Meshes, MissingDependency,
     Surface, Triangles, UpAxis, plain_stl,
 };
+pub use naming::{NameMarks, Naming};
 pub use pose::{Pose, transform};
 pub use renamed::other_difference;
 pub use robot::Robot;

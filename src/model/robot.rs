@@ -7,6 +7,7 @@ use super::joint::{Joint, JointType};
 use super::kept::Kept;
 use super::kinematics::Kinematics;
 use super::link::{Link, Material};
+use super::naming::{self, Naming};
 use super::shared_list::SharedList;
 use expand::{Expansion, XId, XTree};
 
@@ -29,7 +30,8 @@ pub struct Robot {
     pub controls: Vec<Ros2Control>,
     /// Its `transmission` elements.
     pub transmissions: Vec<Transmission>,
-    kinematics: OnceLock<Kinematics>,
+    /// Shared with the robot before as long as no name is different.
+    naming: Arc<OnceLock<Naming>>,
 }
 
 impl Robot {
@@ -43,7 +45,12 @@ impl Robot {
         let tree = &expansion.tree;
         let element = tree.root().filter(|&root| tree.get(root).text == "robot")?;
         let kept = before.and_then(|(before, robot)| Kept::of(expansion, before, robot));
-        Some(Self::read(tree, element, kept))
+        let mut robot = Self::read(tree, element, kept);
+        let old = before.map(|(_, old)| old);
+        if let Some(old) = old.filter(|old| naming::are_same(&robot, old)) {
+            robot.naming = Arc::clone(&old.naming);
+        }
+        Some(robot)
     }
 
     /// The parts of a robot among the children of `element`.
@@ -61,7 +68,7 @@ impl Robot {
             gazebo: Vec::new(),
             controls: Vec::new(),
             transmissions: Vec::new(),
-            kinematics: OnceLock::new(),
+            naming: Arc::default(),
         };
         for child in tree.elements(element) {
             match tree.get(child).text.as_str() {
@@ -87,7 +94,12 @@ impl Robot {
 
     /// How its links hang together; worked out once.
     pub fn kinematics(&self) -> &Kinematics {
-        self.kinematics.get_or_init(|| Kinematics::of(self))
+        &self.naming().kinematics
+    }
+
+    /// What the names of its links and joints say; worked out once.
+    pub fn naming(&self) -> &Naming {
+        self.naming.get_or_init(|| Naming::of(self))
     }
 
     /// Whether the document stands on its own: a robot with a name and a link.
@@ -127,17 +139,11 @@ impl Robot {
 
     /// Whether all names of links and joints and all ends of joints are known.
     pub fn names_are_known(&self) -> bool {
-        self.doubtful_names().next().is_none()
+        !self.naming().has_doubtful
     }
 
     /// The names of links and joints and the ends of joints that are not known for sure.
     pub fn doubtful_names(&self) -> impl Iterator<Item = &AttrValue> {
-        let of_links = self.links.iter().filter_map(|link| link.name.as_ref());
-        let of_joints = self
-            .joints
-            .iter()
-            .flat_map(|joint| [&joint.name, &joint.parent, &joint.child])
-            .filter_map(Option::as_ref);
-        of_links.chain(of_joints).filter(|text| text.is_doubtful())
+        naming::all(self).filter(|text| text.is_doubtful())
     }
 }

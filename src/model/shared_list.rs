@@ -35,6 +35,13 @@ impl<T> SharedList<T> {
         self.0.is_empty()
     }
 
+    /// Whether two lists have equally many elements, and each is the very one of the other list or `alike`.
+    pub(super) fn are_alike(one: &Self, other: &Self, alike: impl Fn(&T, &T) -> bool) -> bool {
+        let mut pairs = one.0.iter().zip(&other.0);
+        one.len() == other.len()
+            && pairs.all(|(one, other)| Arc::ptr_eq(one, other) || alike(one, other))
+    }
+
     pub(super) fn push(&mut self, value: Arc<T>) {
         self.0.push(value);
     }

@@ -1,4 +1,4 @@
-use super::{Kinematics, Robot, ShapeKind, tag_start};
+use super::{Kinematics, NameMarks, Robot, ShapeKind, tag_start};
 use expand::{Expansion, Request, Sources, expand};
 use packages::{PackageOptions, Packages};
 use vfs::testing::Tree;
@@ -148,6 +148,90 @@ fn children_are_ordered_by_joint_name() {
         .collect();
     assert_eq!(names, ["J", "j10", "j3"]);
     assert_eq!(kinematics.roots(&robot), [0]);
+}
+
+#[test]
+fn what_names_say_is_shared_until_one_is_different() {
+    let (before, old) = robot("<link name='a'><inertial><mass value='1'/></inertial></link>");
+    let shares = |body: &str| {
+        let (now, _) = robot(body);
+        let new = Robot::again(&now, Some((&before, &old))).unwrap();
+        std::ptr::eq(old.naming(), new.naming())
+    };
+    assert!(shares(
+        "<link name='a'><inertial><mass value='2'/></inertial></link>"
+    ));
+    for body in [
+        "<link name='b'/>",
+        "<link name='${undefined}'/>",
+        "<link/>",
+        "<link name='a'/><link name='a'/>",
+        "<link name='a'/><joint name='a' type='fixed'><parent link='a'/><child link='a'/></joint>",
+    ] {
+        assert!(!shares(body), "{body}");
+    }
+}
+
+#[test]
+fn names_that_rules_look_for() {
+    let naming = |links, joints| {
+        let (robot, _) = chain(links, joints);
+        let naming = robot.naming();
+        let found = [
+            (naming.has_repeated_link, "link"),
+            (naming.has_repeated_joint, "joint"),
+            (naming.has_shared_name, "shared"),
+            (naming.has_loop, "loop"),
+            (naming.has_doubtful, "doubtful"),
+            (!naming.cycles.is_empty(), "cycle"),
+        ];
+        let found: Vec<&str> = found
+            .into_iter()
+            .filter_map(|(is_there, what)| is_there.then_some(what))
+            .collect();
+        (found.join(" "), naming.marks)
+    };
+    let words = |links, joints| naming(links, joints).0;
+    assert_eq!(words("a b", "x:a>b"), "");
+    assert_eq!(words("a b b", "x:a>b x:a>b"), "link joint");
+    assert_eq!(words("a b", "a:a>b b:b>a"), "shared cycle");
+    assert_eq!(words("a b", "x:a>b y:b>b"), "loop");
+    assert_eq!(words("a {b}", "x:a>c"), "doubtful");
+    let mark = |name| naming(name, "").1;
+    let none = NameMarks::default();
+    assert_eq!(mark("a_1.b/c-d"), none);
+    assert_eq!(
+        mark("aB"),
+        NameMarks {
+            capital: true,
+            ..none
+        }
+    );
+    assert_eq!(
+        mark("/__a"),
+        NameMarks {
+            slash: true,
+            ..none
+        }
+    );
+    assert_eq!(
+        mark("__a"),
+        NameMarks {
+            underscores: true,
+            ..none
+        }
+    );
+    assert_eq!(
+        mark("é"),
+        NameMarks {
+            capital: true,
+            unusual: true,
+            ..none
+        }
+    );
+    assert!(robot("<link name=''/>").1.naming().marks.empty);
+    // an end that names no link has a name all the same
+    assert!(naming("a", "x:a>{b}").1.unusual);
 }
 
 #[test]

@@ -6,12 +6,12 @@ use std::sync::Arc;
 
 use super::consumers::Met;
 use super::frames::Distances;
-use super::geometry::Resources;
+use super::geometry::{MeshReference, Resources};
 use super::package::{Manifests, PackageMention};
 use super::xacro::MentionedWords;
 use base::{FastMap, FastSet};
 use expand::{Expansion, FileIdx, Problem, StepKey, XId};
-use facts::{Marks, facts_of, is_keyword};
+use facts::{Marks, is_keyword, parts_where};
 use model::{AttrValue, Joint, Kinematics, Link, Meshes, Robot, SharedList, Version};
 use packages::Packages;
 use vfs::{SourceFile, Vfs};
@@ -94,12 +94,11 @@ pub(super) fn elements(document: &Document) -> impl Iterator<Item = (u32, Node<'
 /// The elements of the items that may hold something, with the offset their ranges count from.
 pub(super) fn elements_where(
     document: &Document,
-    may: impl Fn(Marks) -> bool,
+    may: impl Fn(Marks) -> bool + Copy,
 ) -> impl Iterator<Item = (u32, Node<'_>)> {
-    let parts = document.parts().skip(1);
-    parts
-        .filter(move |(_, item)| may(facts_of(item).marks))
-        .flat_map(elements_of)
+    let parts = parts_where(document, may);
+    let below_root = parts.filter(|(_, item)| !Arc::ptr_eq(item, document.header()));
+    below_root.flat_map(elements_of)
 }
 
 /// The elements of the items that hold others than [`facts::ORDINARY_TAGS`] and tags of xacro.
@@ -155,6 +154,8 @@ pub struct DocumentCx<'a> {
     pub complete: bool,
     /// The meshes that the robot names, once a rule has asked.
     pub(super) resources: OnceCell<Resources>,
+    /// Where it names them, once a rule has asked.
+    pub(super) mesh_references: OnceCell<Vec<MeshReference<'a>>>,
     /// What the texts mention, once a rule has asked.
     pub(super) mentions: OnceCell<Option<Vec<MentionedWords>>>,
     /// The shapes that stand in bodies without a geometry, of the bodies that a rule has asked about.
@@ -209,6 +210,7 @@ impl<'a> DocumentCx<'a> {
             world,
             complete,
             resources: OnceCell::new(),
+            mesh_references: OnceCell::new(),
             mentions: OnceCell::new(),
             bare_shapes: RefCell::default(),
             constructs: OnceCell::new(),

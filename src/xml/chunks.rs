@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use super::error::Condition;
 use super::item::Item;
+use super::item_run::ItemRun;
 
 /// Items per chunk when a list is built.
 const TARGET: usize = 64;
@@ -20,7 +21,7 @@ pub(super) struct Chunks {
 /// Some items in a row, and sums over them.
 #[derive(Clone)]
 struct Chunk {
-    items: Arc<Vec<Arc<Item>>>,
+    items: Arc<ItemRun>,
     bytes: u32,
     lines: u32,
     /// Whether an item depends on text behind its end.
@@ -42,7 +43,7 @@ pub(super) struct ChunkPosition {
 impl Chunk {
     fn new(items: Vec<Arc<Item>>) -> Self {
         let mut chunk = Self {
-            items: Arc::new(items),
+            items: Arc::new(ItemRun::new(items)),
             bytes: 0,
             lines: 0,
             far: false,
@@ -156,6 +157,16 @@ impl Chunks {
             .iter()
             .flat_map(|chunk| chunk.items.iter())
             .skip(skip)
+    }
+
+    /// The chunks with the offsets of their first items.
+    pub(super) fn runs(&self) -> impl Iterator<Item = (u32, &ItemRun)> {
+        let mut next = 0;
+        self.list.iter().map(move |chunk| {
+            let start = next;
+            next += chunk.bytes;
+            (start, &*chunk.items)
+        })
     }
 
     /// The items, with their offsets, of the chunks that may have errors if `bound` says which prefixes the

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use super::chunks::Chunks;
 use super::entities::Entities;
 use super::item::Item;
+use super::item_run::ItemRun;
 use super::line_table::LineTable;
 use super::node::{Node, Siblings};
 use super::parse::{Footer, Header, ItemParser, ParseStep, RootState};
@@ -183,6 +184,14 @@ impl Document {
             next += item.len();
             (start, item)
         })
+    }
+
+    /// The items in rows, with the absolute offsets of their first ones.
+    pub fn item_runs(&self) -> impl Iterator<Item = (u32, &ItemRun)> {
+        let start = self.header.len();
+        self.items
+            .runs()
+            .map(move |(base, run)| (start + base, run))
     }
 
     /// How the first line of this text ends; with a line feed when there is one line only.

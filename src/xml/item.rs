@@ -3,8 +3,9 @@
 use std::any::Any;
 use std::borrow::Cow;
 use std::fmt;
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
+use super::cache::Cache;
 use super::error::{Condition, ItemError, SyntaxError, SyntaxErrorKind, expat};
 use super::node::{AttrData, Node, NodeData, NodeId, Siblings};
 use base::{Id, TextRange};
@@ -20,7 +21,7 @@ pub struct Item {
     outer: Option<UnboundPrefix>,
     /// Line ends in `text`.
     pub(super) lines: u32,
-    cache: OnceLock<Arc<dyn Any + Send + Sync>>,
+    cache: Cache,
 }
 
 /// A prefix that the root must declare.
@@ -112,7 +113,7 @@ impl Item {
             outer,
             extra: extra.filter(|_| outer.is_none()).map(Box::new),
             lines,
-            cache: OnceLock::new(),
+            cache: Cache::default(),
         }
     }
 
@@ -195,17 +196,7 @@ impl Item {
     /// What was read off this item; made on first use. One type is kept: for another type, `make` is called every
     /// time.
     pub fn cached<T: Any + Send + Sync>(&self, make: impl FnOnce(&Item) -> Arc<T>) -> Arc<T> {
-        if let Some(Ok(value)) = self
-            .cache
-            .get()
-            .map(|value| Arc::clone(value).downcast::<T>())
-        {
-            return value;
-        }
-        let value = make(self);
-        // A concurrent caller may have been first; both values are equal then.
-        let _ = self.cache.set(value.clone());
-        value
+        self.cache.get_or_make(|| make(self))
     }
 }
 

@@ -1,6 +1,7 @@
 //! XML as editors see it: a lossless parser that survives half-typed text, redoes only what an edit
 //! touched, and knows exactly what expat, the parser of the reference, would say.
 
+mod cache;
 mod chars;
 mod chunks;
 mod decode;
@@ -11,6 +12,7 @@ mod entities;
 mod error;
 mod expat_error;
 mod item;
+mod item_run;
 mod line_table;
 mod name_table;
 mod node;
@@ -23,6 +25,7 @@ pub use document::{Document, DocumentPart, DocumentPosition};
 pub use entities::Entities;
 pub use error::{SyntaxError, SyntaxErrorKind};
 pub use item::Item;
+pub use item_run::ItemRun;
 pub use node::{Attr, Node, NodeId, NodeKind, Siblings, normalize_line_ends};
 
 #[cfg(test)]

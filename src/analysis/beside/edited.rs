@@ -8,6 +8,7 @@ use super::super::walk::is_launch;
 use super::compare::ComparisonResult;
 use super::files::{Beside, Robots, Sort, sort};
 use base::CancelFlag;
+use facts::parts_where;
 
 impl Session {
     /// What a file says that the pairing of other files rests on, and the arguments that it gives to robots.
@@ -17,9 +18,6 @@ impl Session {
             self.robot_name(path),
             self.is_about_robots(path)
         )];
-        let Ok(file) = self.vfs.text(path) else {
-            return said;
-        };
         if is_launch(path) {
             said.extend(self.given_in(path));
         } else if sort(path) == Some(Sort::Yaml) {
@@ -27,9 +25,10 @@ impl Session {
             said.extend(
                 settings.map(|settings| format!("{:?} {:?}", settings.listed, settings.assistant)),
             );
-        } else {
-            let parameters = file.text.split("<parameters>").skip(1);
-            said.extend(parameters.filter_map(|rest| Some(rest.split_once('<')?.0.to_owned())));
+        } else if let Ok(file) = self.vfs.document(path) {
+            let parts = parts_where(&file.document, |marks| marks.parameters);
+            let named = parts.flat_map(|(_, item)| item.text().split("<parameters>").skip(1));
+            said.extend(named.filter_map(|rest| Some(rest.split_once('<')?.0.to_owned())));
         }
         said
     }

@@ -12,7 +12,7 @@ use super::super::root_config::RootConfig;
 use super::super::session::Session;
 use super::files::{Sort, sort};
 use super::paired::{MOST_ROBOTS, Pairing};
-use facts::{Fact, FactKind, facts};
+use facts::{Fact, FactKind, facts_of, parts_where};
 use workspace::{RobotCall, has_name};
 
 impl Session {
@@ -378,7 +378,8 @@ impl Session {
         };
         let includes = |fact: &Fact| fact.kind == FactKind::Include && !fact.in_macro;
         self.robot_name(path).is_some()
-            && facts(&source.document).any(|(_, facts)| facts.named.iter().any(includes))
+            && parts_where(&source.document, |marks| marks.include)
+                .any(|(_, item)| facts_of(item).named.iter().any(includes))
     }
 
     /// The robots that include a description, or are it.

@@ -19,6 +19,8 @@ pub(crate) use convert::add_entries;
 pub(crate) use python::{argument_type, index_sized, integer};
 pub(crate) use sorting::sort;
 
+use std::sync::LazyLock;
+
 use super::args::{Args, Arity};
 use super::interp::Interp;
 use super::stop::Eval;
@@ -111,8 +113,46 @@ const DEPRECATED: [(&str, &str); 5] = [
     ("sorted", "python"),
 ];
 
+/// The first and the last letters of names, by how long the names are: nearly all others are told from these at a glance.
+struct Shapes([(u128, u128); 16]);
+
+impl Shapes {
+    fn of(names: impl Iterator<Item = &'static str>) -> Self {
+        let mut shapes = Self([(0, 0); 16]);
+        for name in names {
+            if let (Some((first, last)), Some(shape)) = (ends(name), shapes.0.get_mut(name.len())) {
+                shape.0 |= first;
+                shape.1 |= last;
+            }
+        }
+        shapes
+    }
+
+    /// Whether one of the names may be this one.
+    fn admit(&self, name: &str) -> bool {
+        let shape = self.0.get(name.len()).zip(ends(name));
+        shape.is_some_and(|(known, own)| known.0 & own.0 != 0 && known.1 & own.1 != 0)
+    }
+}
+
+/// The first and the last byte as members of sets; none where they are no ASCII.
+fn ends(name: &str) -> Option<(u128, u128)> {
+    let member = |byte: Option<&u8>| 1_u128.checked_shl((*byte?).into());
+    let bytes = name.as_bytes();
+    Some((member(bytes.first())?, member(bytes.last())?))
+}
+
 /// The value of a global symbol.
 pub(crate) fn global(name: &str) -> Option<Value> {
+    // asked for each property that is defined
+    static SHAPES: LazyLock<Shapes> = LazyLock::new(|| {
+        let own = ["True", "False", "math", "python", "xacro"];
+        let inside = [Module::Math, Module::Python, Module::Xacro].map(names);
+        Shapes::of(own.into_iter().chain(inside.into_iter().flatten().copied()))
+    });
+    if !SHAPES.admit(name) {
+        return None;
+    }
     match name {
         "list" | "dict" | "map" | "str" | "float" | "int" | "bool" => {
             types::named(name).map(Value::Type)
@@ -232,6 +272,15 @@ mod tests {
         for name in [
             "pi", "sin", "list", "sorted", "dotify", "math", "python", "xacro", "True", "e", "len",
             "cbrt",
+        ] {
+            assert!(is_global_symbol(name), "{name}");
+        }
+        let bare = global_symbols().filter(|symbol| symbol.namespace.is_none());
+        for symbol in bare {
+            assert!(is_global_symbol(symbol.name), "{}", symbol.name);
+        }
+        for name in [
+            "list", "dict", "map", "str", "float", "int", "bool", "len", "min", "max",
         ] {
             assert!(is_global_symbol(name), "{name}");
         }

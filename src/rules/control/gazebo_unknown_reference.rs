@@ -1,4 +1,6 @@
 //! A gazebo element about nothing.
+use std::cell::LazyCell;
+
 use super::super::context::RobotCx;
 use super::super::edits::rename;
 use super::super::finding::Help;
@@ -23,7 +25,8 @@ pub(in super::super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
-    let joints: FastSet<&str> = cx.robot.joints.iter().map(|joint| joint.shown()).collect();
+    let joints = || cx.robot.joints.iter().map(|joint| joint.shown());
+    let joints: LazyCell<FastSet<&str>, _> = LazyCell::new(|| joints().collect());
     for block in &cx.robot.gazebo {
         let Some(text) = &block.reference else {
             continue;

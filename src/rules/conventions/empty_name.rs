@@ -17,6 +17,9 @@ pub(in super::super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    if cx.robot.is_none_or(|robot| !robot.naming().marks.empty) {
+        return;
+    }
     let names = cx.robot.into_iter().flat_map(names::names);
     for (named, name) in names.filter(|(_, name)| name.value.is_empty()) {
         out.report(

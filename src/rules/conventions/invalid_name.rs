@@ -20,6 +20,9 @@ pub(in super::super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    if !has_unusual(cx) {
+        return check_robot(cx, out);
+    }
     check_ends(cx, out);
     check_robot(cx, out);
     for (named, name) in cx.robot.into_iter().flat_map(names::names) {
@@ -79,6 +82,11 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             None => report.done(),
         }
     }
+}
+
+/// Whether a name of a link or joint, or an end of a joint, has a character that others than these have.
+fn has_unusual(cx: &DocumentCx<'_>) -> bool {
+    cx.robot.is_some_and(|robot| robot.naming().marks.unusual)
 }
 
 /// The name of the robot, which becomes that of a model or a namespace in some programs.

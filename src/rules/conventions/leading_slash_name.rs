@@ -20,6 +20,9 @@ pub(super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    if cx.robot.is_none_or(|robot| !robot.naming().marks.slash) {
+        return;
+    }
     for (named, name) in cx.robot.into_iter().flat_map(names::names) {
         let Some(rest) = name.value.strip_prefix('/') else {
             continue;

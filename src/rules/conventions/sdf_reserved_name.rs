@@ -17,6 +17,12 @@ pub(super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    if cx
+        .robot
+        .is_none_or(|robot| !robot.naming().marks.underscores)
+    {
+        return;
+    }
     for (named, name) in cx.robot.into_iter().flat_map(names::names) {
         let inner = name
             .value

@@ -1,5 +1,5 @@
 //! A fixed name in a macro that gives its other names a prefix.
-use super::super::context::FileCx;
+use super::super::context::{FileCx, elements_where};
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::super::vocabulary::outside_free_zones;
@@ -26,10 +26,8 @@ const PREFIXES: [&str; 5] = ["prefix", "tf_prefix", "name", "ns", "side"];
 const SHARED: [&str; 3] = ["world", "map", "odom"];
 
 fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
-    for (base, node) in cx
-        .elements()
-        .filter(|(_, node)| node.name() == "xacro:macro")
-    {
+    let elements = elements_where(&cx.source.document, |marks| marks.macro_tag);
+    for (base, node) in elements.filter(|(_, node)| node.name() == "xacro:macro") {
         let Some((prefix, names)) = prefix(node).map(|prefix| (prefix, definitions(node))) else {
             continue;
         };
@@ -121,7 +119,9 @@ fn is_called_without(cx: &FileCx<'_>, base: u32, node: Node<'_>, prefix: &str) -
         let here = definition.is_some_and(|place| place.file == cx.file && place.range == name);
         frame.kind == FrameKind::Macro && here
     });
+    // a second call settles it
     let given: Vec<Option<&str>> = calls
+        .take(2)
         .map(|frame| {
             let item = &cx.expansion.sources.get(frame.call.src)?.item;
             let call = item

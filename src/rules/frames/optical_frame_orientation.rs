@@ -20,7 +20,7 @@ pub(super) static RULE: Rule = Rule {
     since: "0.1",
     fix: Some(Safety::Unsafe),
     docs: page("optical-frame-orientation"),
-    check: Check::Document(check),
+    check: Check::Joint(check),
 };
 
 /// Rounding of what people write for half of pi.
@@ -32,42 +32,40 @@ const CALIBRATED: f64 = 0.1;
 /// The part of a direction along x up to which it is across.
 const ASIDE: f64 = 0.1;
 
-fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+fn check(cx: &DocumentCx<'_>, joint: &Joint, out: &mut Sink<'_>) {
     let usual = UnitQuaternion::from_euler_angles(-FRAC_PI_2, 0.0, -FRAC_PI_2);
-    for joint in cx.joints() {
-        let Some((parent, child)) = joint.ends() else {
-            continue;
+    let Some((parent, child)) = joint.ends() else {
+        return;
+    };
+    // between two optical frames, there is no turn; a projector has no image
+    if !is_optical(child)
+        || child.contains("projector")
+        || holds_block(cx, joint)
+        || parent.to_lowercase().contains("optical")
+    {
+        return;
+    }
+    let [roll, pitch, yaw] = match joint.origin.as_ref().map(|origin| origin.angles()) {
+        Some(Some(angles)) => angles,
+        Some(None) => return,
+        None => [0.0; 3],
+    };
+    let turned = UnitQuaternion::from_euler_angles(roll, pitch, yaw);
+    // on a part that is no camera, the joint holds the pose of the camera as well
+    let is_mounted = turned.angle() > UNTURNED && first_word(parent) != first_word(child);
+    let is_off = |turned: &UnitQuaternion<f64>| turned.angle_to(&usual) > CALIBRATED;
+    if is_off(&turned)
+        && !is_mounted
+        && !is_of_no_pictures(cx, parent, child)
+        && turns_above(cx, parent, turned).iter().all(is_off)
+    {
+        let is_meant = looks_aside(&turned) || looks_back(&turned);
+        let severity = if is_meant || holds_points_of_gazebo(cx, child) {
+            Severity::Info
+        } else {
+            Severity::Warning
         };
-        // between two optical frames, there is no turn; a projector has no image
-        if !is_optical(child)
-            || child.contains("projector")
-            || holds_block(cx, joint)
-            || parent.to_lowercase().contains("optical")
-        {
-            continue;
-        }
-        let [roll, pitch, yaw] = match joint.origin.as_ref().map(|origin| origin.angles()) {
-            Some(Some(angles)) => angles,
-            Some(None) => continue,
-            None => [0.0; 3],
-        };
-        let turned = UnitQuaternion::from_euler_angles(roll, pitch, yaw);
-        // on a part that is no camera, the joint holds the pose of the camera as well
-        let is_mounted = turned.angle() > UNTURNED && first_word(parent) != first_word(child);
-        let is_off = |turned: &UnitQuaternion<f64>| turned.angle_to(&usual) > CALIBRATED;
-        if is_off(&turned)
-            && !is_mounted
-            && !is_of_no_pictures(cx, parent, child)
-            && turns_above(cx, parent, turned).iter().all(is_off)
-        {
-            let is_meant = looks_aside(&turned) || looks_back(&turned);
-            let severity = if is_meant || holds_points_of_gazebo(cx, child) {
-                Severity::Info
-            } else {
-                Severity::Warning
-            };
-            report(cx, out, joint, child, severity);
-        }
+        report(cx, out, joint, child, severity);
     }
 }
 
@@ -75,6 +73,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 fn is_of_no_pictures(cx: &DocumentCx<'_>, parent: &str, child: &str) -> bool {
     const NAMES: [&str; 7] = ["accel", "gyro", "imu", "laser", "lidar", "radar", "sonar"];
     const SENSORS: [&str; 5] = ["ray", "gpu_ray", "lidar", "gpu_lidar", "sonar"];
+    cx.look_beyond();
     let tree = &cx.expansion.tree;
     let is_named = child
         .to_lowercase()
@@ -103,6 +102,7 @@ fn is_of_no_pictures(cx: &DocumentCx<'_>, parent: &str, child: &str) -> bool {
 /// Source: `RgbdCameraSensor` of gz-sensors.
 fn holds_points_of_gazebo(cx: &DocumentCx<'_>, child: &str) -> bool {
     const FRAMES: [&str; 3] = ["gz_frame_id", "ignition_frame_id", "optical_frame_id"];
+    cx.look_beyond();
     let tree = &cx.expansion.tree;
     let is_camera = |id: XId| {
         let kind = tree.attr(id, "type");

@@ -2,7 +2,7 @@
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use model::{JointType, Link};
+use model::{Joint, JointType, Link};
 
 pub(super) static RULE: Rule = Rule {
     code: "FRM006",
@@ -13,32 +13,33 @@ pub(super) static RULE: Rule = Rule {
     since: "0.1",
     fix: None,
     docs: page("tool0-not-fixed"),
-    check: Check::Document(check),
+    check: Check::Joint(check),
 };
 
-fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for joint in cx.joints() {
-        let Some((_, child)) = joint.ends() else {
-            continue;
-        };
-        let is_frame = ["tool0", "flange"].contains(&child.as_str());
-        let Some(kind) = joint.kind.as_ref().filter(|_| is_frame) else {
-            continue;
-        };
-        if joint
-            .joint_type()
-            .is_some_and(|kind| kind != JointType::Fixed)
-        {
-            out.report(
-                kind.origin,
-                format!("parent joint `{}` of `{child}` is {} instead of fixed", joint.shown(), kind.value),
-            )
+fn check(cx: &DocumentCx<'_>, joint: &Joint, out: &mut Sink<'_>) {
+    let Some((_, child)) = joint.ends() else {
+        return;
+    };
+    let is_frame = ["tool0", "flange"].contains(&child.as_str());
+    let Some(kind) = joint.kind.as_ref().filter(|_| is_frame) else {
+        return;
+    };
+    if joint
+        .joint_type()
+        .is_some_and(|kind| kind != JointType::Fixed)
+    {
+        let message = format!(
+            "parent joint `{}` of `{child}` is {} instead of fixed",
+            joint.shown(),
+            kind.value
+        );
+        let help = format!(
+            "make another link the child of this joint, and attach `{child}` to it with a fixed joint"
+        );
+        out.report(kind.origin, message)
             .severity(severity(cx, child))
-            .help(format!(
-                "make another link the child of this joint, and attach `{child}` to it with a fixed joint"
-            ))
+            .help(help)
             .done();
-        }
     }
 }
 

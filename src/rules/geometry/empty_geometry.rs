@@ -3,7 +3,7 @@ use super::super::context::{DocumentCx, RootKind};
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::shapes::{bodies, is_taken_out};
-use model::{source_has_elements, tag_start};
+use model::{Link, source_has_elements, tag_start};
 
 pub(super) static RULE: Rule = Rule {
     code: "GEO014",
@@ -14,11 +14,11 @@ pub(super) static RULE: Rule = Rule {
     since: "0.1",
     fix: None,
     docs: page("empty-geometry"),
-    check: Check::Document(check),
+    check: Check::Link(check),
 };
 
-fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for (link, body, _) in bodies(cx) {
+fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
+    for (body, _) in bodies(link) {
         let Some(geometry) = body
             .geometry
             .as_ref()
@@ -27,6 +27,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             continue;
         };
         // what xacro tags inside would have given may be lost
+        cx.look_beyond();
         let certain =
             cx.kind == RootKind::Robot && cx.expansion.whole && cx.expansion.problems.is_empty();
         if certain || !source_has_elements(cx.expansion, geometry.element) {

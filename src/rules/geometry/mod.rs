@@ -52,7 +52,7 @@ pub use target::FileLookup as FileTarget;
 
 pub(super) use bodies::{Extent, extent, extent_of, volume};
 pub(super) use mesh_scale_suspicious::is_scaled_wrong;
-pub(super) use resources::MeshUse;
+pub(super) use resources::{MeshReference, MeshUse};
 pub(super) use shapes::{
     color, is_defined, is_read_last, is_replaceable, is_taken_out, visual_materials,
 };

@@ -3,7 +3,7 @@ use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::shapes::bodies;
-use model::{ShapeKind, tag_start};
+use model::{Link, ShapeKind, tag_start};
 
 pub(super) static RULE: Rule = Rule {
     code: "GEO015",
@@ -14,11 +14,11 @@ pub(super) static RULE: Rule = Rule {
     since: "0.1",
     fix: None,
     docs: page("multiple-geometries"),
-    check: Check::Document(check),
+    check: Check::Link(check),
 };
 
-fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for (link, body, _) in bodies(cx) {
+fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
+    for (body, _) in bodies(link) {
         let Some(geometry) = &body.geometry else {
             continue;
         };

@@ -3,7 +3,7 @@ use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::shapes::bodies;
-use model::{AttrValue, ShapeKind};
+use model::{AttrValue, Link, ShapeKind};
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "GEO013",
@@ -14,11 +14,11 @@ pub(in super::super) static RULE: Rule = Rule {
     since: "0.1",
     fix: None,
     docs: page("non-positive-dimension"),
-    check: Check::Document(check),
+    check: Check::Link(check),
 };
 
-fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for (link, body, is_collision) in bodies(cx) {
+fn check(_: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
+    for (body, is_collision) in bodies(link) {
         for shape in body.geometry.iter().flat_map(|geometry| &geometry.shapes) {
             let lengths: Vec<(&str, &AttrValue, Vec<f64>)> = match &shape.kind {
                 ShapeKind::Box { size } => {

@@ -10,7 +10,7 @@ use super::super::grouping::Group;
 use super::uri::defect;
 use base::FastMap;
 use expand::{Expansion, FileIdx, XId, XTree};
-use model::{AttrValue, Link, Mesh, Shape, ShapeKind};
+use model::{AttrValue, Link, Mesh, Robot, Shape, ShapeKind};
 use packages::{UriKind, UriOutcome};
 
 /// A mesh that a visual or collision names.
@@ -71,9 +71,9 @@ impl DocumentCx<'_> {
     /// The meshes that visuals and collisions name, in document order.
     pub(in super::super) fn meshes(&self) -> impl Iterator<Item = MeshUse<'_>> {
         let resources = self.resources();
-        named(self).filter_map(|named| {
+        self.mesh_references().iter().filter_map(|named| {
             let (target, mesh) = resources.meshes.get(&named.element)?;
-            let MeshReference {
+            let &MeshReference {
                 link,
                 is_collision,
                 element,
@@ -93,6 +93,13 @@ impl DocumentCx<'_> {
         })
     }
 
+    /// The meshes that visuals and collisions name, looked for once.
+    fn mesh_references(&self) -> &[MeshReference<'_>] {
+        let robot = self.robot.into_iter();
+        self.mesh_references
+            .get_or_init(|| robot.flat_map(named).collect())
+    }
+
     fn resources(&self) -> &Resources {
         self.look_beyond();
         self.resources.get_or_init(|| read_meshes(self))
@@ -106,7 +113,7 @@ impl DocumentCx<'_> {
 }
 
 /// A mesh before its file is looked for.
-struct MeshReference<'a> {
+pub(in super::super) struct MeshReference<'a> {
     link: &'a Link,
     is_collision: bool,
     element: XId,
@@ -114,9 +121,8 @@ struct MeshReference<'a> {
     scale: Option<&'a AttrValue>,
 }
 
-fn named<'a>(cx: &'a DocumentCx<'_>) -> impl Iterator<Item = MeshReference<'a>> {
-    let links = cx.robot.into_iter().flat_map(|robot| &robot.links);
-    let bodies = links.flat_map(|link| {
+fn named(robot: &Robot) -> impl Iterator<Item = MeshReference<'_>> {
+    let bodies = robot.links.iter().flat_map(|link| {
         let visuals = link.visuals.iter().map(|body| (body, false));
         let all = visuals.chain(link.collisions.iter().map(|body| (body, true)));
         all.map(move |(body, is_collision)| (link, body, is_collision))
@@ -144,7 +150,7 @@ fn named<'a>(cx: &'a DocumentCx<'_>) -> impl Iterator<Item = MeshReference<'a>> 
 fn read_meshes(cx: &DocumentCx<'_>) -> Resources {
     let mut known: FastMap<(Option<FileIdx>, &str), FileLookup> = FastMap::default();
     let mut targets = Vec::new();
-    for named in named(cx) {
+    for named in cx.mesh_references() {
         let file = cx
             .expansion
             .place(named.file.origin)

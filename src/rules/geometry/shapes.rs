@@ -3,17 +3,10 @@ use super::super::context::DocumentCx;
 use expand::{XId, XKind, XTree};
 use model::{AttrValue, Body, Link, Material, Robot, Shape, ShapeKind};
 
-/// All visuals and collisions with their link, and whether it is a collision.
-pub(super) fn bodies<'a>(
-    cx: &'a DocumentCx<'_>,
-) -> impl Iterator<Item = (&'a Link, &'a Body, bool)> {
-    cx.robot
-        .into_iter()
-        .flat_map(|robot| &robot.links)
-        .flat_map(|link| {
-            let visuals = link.visuals.iter().map(move |body| (link, body, false));
-            visuals.chain(link.collisions.iter().map(move |body| (link, body, true)))
-        })
+/// The visuals and collisions of a link, and whether it is a collision.
+pub(super) fn bodies(link: &Link) -> impl Iterator<Item = (&Body, bool)> {
+    let visuals = link.visuals.iter().map(|body| (body, false));
+    visuals.chain(link.collisions.iter().map(|body| (body, true)))
 }
 
 /// Whether what should be in an element `inside` a visual or collision is in a comment there: somebody took it out, and nothing is
@@ -87,8 +80,9 @@ pub(super) fn mesh_file(shape: &Shape) -> Option<&AttrValue> {
 
 /// The names of all meshes and textures.
 pub(super) fn resource_names<'a>(cx: &'a DocumentCx<'_>) -> Vec<&'a AttrValue> {
-    let shapes = bodies(cx)
-        .flat_map(|(_, body, _)| body.geometry.iter().flat_map(|geometry| &geometry.shapes));
+    let links = cx.robot.into_iter().flat_map(|robot| &robot.links);
+    let geometries = links.flat_map(bodies).flat_map(|(body, _)| &body.geometry);
+    let shapes = geometries.flat_map(|geometry| &geometry.shapes);
     shapes
         .filter_map(mesh_file)
         .chain(materials(cx).filter_map(|material| material.texture_file.as_ref()))

@@ -3,7 +3,7 @@ use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::shapes::bodies;
-use model::{ShapeKind, Version, tag_start};
+use model::{Link, ShapeKind, Version, tag_start};
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "GEO016",
@@ -14,11 +14,11 @@ pub(in super::super) static RULE: Rule = Rule {
     since: "0.1",
     fix: None,
     docs: page("unknown-geometry-type"),
-    check: Check::Document(check),
+    check: Check::Link(check),
 };
 
-fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for (link, body, _) in bodies(cx) {
+fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
+    for (body, _) in bodies(link) {
         let shapes = body.geometry.iter().flat_map(|geometry| &geometry.shapes);
         let mut is_first = true;
         for shape in shapes {

@@ -1,4 +1,6 @@
 //! A joint that follows one which does not exist.
+use std::cell::LazyCell;
+
 use super::super::context::RobotCx;
 use super::super::edits::rename;
 use super::super::finding::Help;
@@ -20,7 +22,8 @@ pub(super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
-    let known: FastSet<&str> = cx.robot.joints.iter().map(|joint| joint.shown()).collect();
+    let joints = || cx.robot.joints.iter().map(|joint| joint.shown());
+    let known: LazyCell<FastSet<&str>, _> = LazyCell::new(|| joints().collect());
     for joint in &cx.robot.joints {
         let Some(text) = joint.mimic.as_ref().and_then(|mimic| mimic.joint.as_ref()) else {
             continue;

@@ -71,10 +71,10 @@ fn axis_place(cx: &DocumentCx<'_>, joint: &Joint) -> Origin {
 
 /// Whether a joint turns freely, by itself, and carries nothing that moves: an arm may well be mirrored.
 fn is_wheel(robot: &Robot, joint: &Joint) -> bool {
-    let Some((_, child)) = joint
-        .ends()
-        .filter(|_| joint.is(&[JointType::Continuous]) && joint.mimic.is_none())
-    else {
+    if !joint.is(&[JointType::Continuous]) || joint.mimic.is_some() {
+        return false;
+    }
+    let Some((_, child)) = joint.ends() else {
         return false;
     };
     let moved = |other: &&Joint| {

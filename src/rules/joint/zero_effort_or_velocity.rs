@@ -82,5 +82,10 @@ fn zero(joint: &Joint) -> Option<(&'static str, &AttrValue)> {
     let mut zeros = texts
         .into_iter()
         .filter_map(|(name, text)| Some((name, text?)));
-    zeros.find(|(_, text)| text.number() == Some(0.0))
+    zeros.find(|(_, text)| may_be_zero(&text.value) && text.number() == Some(0.0))
+}
+
+/// Whether a text may be a zero, at a glance: a number without an exponent that begins with another digit is none.
+fn may_be_zero(text: &str) -> bool {
+    !text.starts_with(|first| matches!(first, '1'..='9')) || text.contains(['e', 'E'])
 }

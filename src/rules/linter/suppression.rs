@@ -3,7 +3,7 @@ use super::super::linter::directive::{Directive, Selector, Suppression};
 use super::super::rule::Rule;
 use super::reach::SuppressionIndex;
 use base::{Encoding, TextRange};
-use facts::facts;
+use facts::may_hold;
 use packages::nearest;
 use xml::{Document, Node, NodeKind};
 
@@ -41,7 +41,7 @@ impl Suppressions {
     /// Read the comments of a document.
     pub fn of(document: &Document) -> Self {
         let mut found = Self::default();
-        if !facts(document).any(|(_, facts)| facts.marks.lint) {
+        if !may_hold(document, |marks| marks.lint) {
             return found;
         }
         let end = document.len();

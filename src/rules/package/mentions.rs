@@ -7,7 +7,7 @@ use memchr::memmem::Finder;
 use super::super::context::FileCx;
 use super::super::package::mention::PackageMention;
 use base::TextRange;
-use facts::facts_of;
+use facts::parts_where;
 use xml::{Node, NodeKind};
 
 /// The packages in `package://` URIs and in `$(find)` of a file, comments left out.
@@ -17,8 +17,7 @@ pub(super) fn packages<'a>(cx: &'a FileCx<'_>) -> &'a [PackageMention] {
 
 fn of_file(cx: &FileCx<'_>) -> Vec<PackageMention> {
     let mut found: Vec<PackageMention> = Vec::new();
-    let parts = cx.source.document.parts();
-    for (base, item) in parts.filter(|(_, item)| facts_of(item).marks.package) {
+    for (base, item) in parts_where(&cx.source.document, |marks| marks.package) {
         for node in item.all_nodes() {
             let known = found.len();
             match node.kind() {

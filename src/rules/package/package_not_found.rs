@@ -12,6 +12,7 @@ use super::super::sink::Sink;
 use super::dependencies;
 use base::{TextRange, counted};
 use expand::{Expansion, FileIdx, Origin, Read, XAttr, XId};
+use facts::may_hold;
 use packages::NotFound;
 
 pub(in super::super) static RULE: Rule = Rule {
@@ -190,10 +191,12 @@ fn all_file_names(expansion: &Expansion) -> impl Iterator<Item = &XAttr> {
 /// The `filename` attributes of meshes and textures, in document order.
 fn file_names(expansion: &Expansion, root: XId) -> impl Iterator<Item = &XAttr> {
     let tree = &expansion.tree;
+    // where no text has such an element, the document has none
+    let mut documents = expansion.files.iter().map(|file| &file.source.document);
+    let are_there = documents.any(|document| may_hold(document, |marks| marks.file_tag));
     let is_file = move |&id: &XId| matches!(tree.get(id).text.as_str(), "mesh" | "texture");
-    let elements = std::iter::once(root)
-        .chain(tree.below(root))
-        .filter(is_file);
+    let below = are_there.then(|| std::iter::once(root).chain(tree.below(root)));
+    let elements = below.into_iter().flatten().filter(is_file);
     elements.filter_map(move |id| tree.attr(id, "filename"))
 }
 

@@ -14,14 +14,12 @@ pub(in super::super) static RULE: Rule = Rule {
     since: "0.1",
     fix: None,
     docs: page("duplicate-geometry-name"),
-    check: Check::Document(check),
+    check: Check::Link(check),
 };
 
-fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for link in cx.links() {
-        twice(link, "visual", &link.visuals, out);
-        twice(link, "collision", &link.collisions, out);
-    }
+fn check(_: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
+    twice(link, "visual", &link.visuals, out);
+    twice(link, "collision", &link.collisions, out);
 }
 
 fn twice(link: &Link, kind: &str, bodies: &[Body], out: &mut Sink<'_>) {

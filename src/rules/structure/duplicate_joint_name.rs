@@ -19,6 +19,9 @@ pub(in super::super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
+    if !cx.robot.naming().has_repeated_joint {
+        return;
+    }
     let names = cx
         .robot
         .joints

@@ -19,6 +19,9 @@ pub(in super::super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
+    if !cx.robot.naming().has_repeated_link {
+        return;
+    }
     let names = cx.robot.links.iter().filter_map(|link| link.name.as_ref());
     let mut calls = RepeatedCalls::default();
     let mut first: FastMap<&str, &AttrValue> = FastMap::default();

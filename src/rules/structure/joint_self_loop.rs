@@ -16,6 +16,9 @@ pub(in super::super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
+    if !cx.robot.naming().has_loop {
+        return;
+    }
     for joint in &cx.robot.joints {
         if let (Some((parent, child)), Some(at)) = (joint.ends(), &joint.child)
             && parent == child

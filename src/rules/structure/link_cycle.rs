@@ -16,7 +16,7 @@ pub(in super::super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
-    for cycle in cx.kinematics.cycles() {
+    for cycle in &cx.robot.naming().cycles {
         let Some(&last) = cycle.iter().max() else {
             continue;
         };

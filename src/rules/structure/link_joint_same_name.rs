@@ -18,6 +18,9 @@ pub(super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    if cx.robot.is_none_or(|robot| !robot.naming().has_shared_name) {
+        return;
+    }
     let links = cx.links().iter().filter_map(|link| link.name.as_ref());
     let links: FastMap<&str, &AttrValue> = links
         .filter_map(|text| Some((text.name()?.as_str(), text)))

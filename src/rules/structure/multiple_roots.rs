@@ -3,7 +3,7 @@ use super::super::context::RobotCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::missing_links::{joined_elsewhere, joints_with_one_end, lost_links};
-use model::{AttrValue, Joint};
+use model::AttrValue;
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "STR007",
@@ -22,14 +22,7 @@ const USUAL_ROOTS: [&str; 3] = ["world", "base_footprint", "base_link"];
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     // the other end of a joint from a link to itself is the root that is too many
-    let is_loop = |joint: &Joint| {
-        joint
-            .parent
-            .as_ref()
-            .zip(joint.child.as_ref())
-            .is_some_and(|(parent, child)| parent.value == child.value)
-    };
-    if cx.robot.joints.iter().any(is_loop) {
+    if cx.robot.naming().has_loop {
         return;
     }
     let lost = lost_links(cx);

@@ -20,6 +20,10 @@ pub(in super::super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    // of two such names one has a capital letter, or a letter of which nobody knows
+    if cx.robot.is_none_or(|robot| !robot.naming().marks.capital) {
+        return;
+    }
     alike(
         "link",
         cx.links().iter().filter_map(|link| link.name.as_ref()),
@@ -33,12 +37,6 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 }
 
 fn alike<'a>(kind: &str, names: impl Iterator<Item = &'a AttrValue>, out: &mut Sink<'_>) {
-    let names: Vec<&AttrValue> = names.collect();
-    // of two such names one has a capital letter, or a letter of which nobody knows
-    let is_capital = |byte: u8| byte.is_ascii_uppercase() || !byte.is_ascii();
-    if !names.iter().any(|text| text.value.bytes().any(is_capital)) {
-        return;
-    }
     let mut first: FastMap<EcoString, &AttrValue> = FastMap::default();
     for text in names {
         let Some(name) = text.name() else { continue };

@@ -4,6 +4,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, pa
 use super::super::sink::Sink;
 use base::{FastSet, TextRange};
 use expand::SymbolKind;
+use facts::parts_where;
 use xml::{Node, NodeKind};
 
 pub(in super::super) static RULE: Rule = Rule {
@@ -20,11 +21,7 @@ pub(in super::super) static RULE: Rule = Rule {
 
 fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
     let mut places = Vec::new();
-    for (base, item) in cx.source.document.parts() {
-        // most texts have neither
-        if !has_bare_brace(item.text()) && !item.text().contains("($") {
-            continue;
-        }
+    for (base, item) in parts_where(&cx.source.document, |marks| marks.bare_brace) {
         for node in item.all_nodes() {
             match node.kind() {
                 NodeKind::Element => places.extend(
@@ -63,12 +60,6 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
         )
         .done();
     }
-}
-
-/// Whether a text has a brace without `$`.
-fn has_bare_brace(text: &str) -> bool {
-    let mut braces = text.match_indices('{');
-    braces.any(|(at, _)| !text.get(..at).is_some_and(|before| before.ends_with('$')))
 }
 
 /// The properties of the robot.

@@ -1,9 +1,9 @@
 //! A property whose value is replaced before anything reads it.
-use super::super::context::{DocumentCx, elements};
+use super::super::context::{DocumentCx, elements_where};
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::{source, unused};
-use base::{FastMap, TextRange};
+use base::{FastMap, FastSet, TextRange};
 use expand::{Definition, DefinitionId, FileIdx, FileRange, SymbolKind};
 use xml::Node;
 
@@ -25,13 +25,17 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     }
     let mut last: FastMap<(FileIdx, &str), (DefinitionId, FileRange, Node<'_>)> =
         FastMap::default();
-    let properties = cx
-        .expansion
-        .index
-        .symbols
-        .iter()
-        .filter(|(_, found)| found.kind == SymbolKind::Property);
-    for (id, definition) in properties {
+    let properties = || {
+        let all = cx.expansion.index.symbols.iter();
+        all.filter(|(_, found)| found.kind == SymbolKind::Property)
+    };
+    // nearly all are used, and only others are of interest
+    let unused = properties().filter(|&(id, _)| !unused::is_used(cx, id));
+    let names: FastSet<&str> = unused.map(|(_, found)| found.name.as_str()).collect();
+    if names.is_empty() {
+        return;
+    }
+    for (id, definition) in properties().filter(|(_, found)| names.contains(found.name.as_str())) {
         let Some((place, node)) = plain(cx, definition) else {
             continue;
         };
@@ -102,7 +106,7 @@ fn included_between(cx: &DocumentCx<'_>, first: FileRange, second: FileRange) ->
         return true;
     };
     let between = TextRange::new(first.range.end, second.range.start);
-    let mut nodes = elements(&file.source.document);
+    let mut nodes = elements_where(&file.source.document, |marks| marks.include);
     nodes.any(|(base, node)| {
         node.name() == "xacro:include" && between.contains_range(node.name_range().shift(base))
     })

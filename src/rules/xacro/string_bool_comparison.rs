@@ -11,6 +11,7 @@ use base::{FastMap, FastSet, TextRange};
 use expand::{Definition, DefinitionId, FileRange, SourceRange, SymbolKind, UseKind};
 use expr::ast::{CmpOp, Const, Expr, ExprKind};
 use expr::{Code, TemplateToken, split, visit};
+use facts::{facts_of, may_hold};
 
 pub(super) static RULE: Rule = Rule {
     code: "XAC028",
@@ -34,8 +35,13 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     if !source::is_main(cx) {
         return;
     }
+    let mut documents = cx.expansion.files.iter().map(|file| &file.source.document);
+    if !documents.any(|document| may_hold(document, |marks| marks.truth)) {
+        return;
+    }
     let uses = LazyCell::new(|| uses(cx));
-    for (src, read) in cx.expansion.sources.iter_ids() {
+    let sources = cx.expansion.sources.iter_ids();
+    for (src, read) in sources.filter(|(_, read)| facts_of(&read.item).marks.truth) {
         let attrs = read.item.all_nodes().flat_map(|node| node.attrs());
         for attr in attrs.filter(|attr| attr.has_dollar() && may_compare(attr.raw())) {
             let start = attr.value_range().start;

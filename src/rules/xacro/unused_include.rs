@@ -27,7 +27,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         return;
     }
     let inclusions = source::inclusions(cx.expansion, cx.world);
-    if inclusions.len() > MOST {
+    if inclusions.is_empty() || inclusions.len() > MOST {
         return;
     }
     let giving = giving(cx);

@@ -1,4 +1,6 @@
 //! A parameter that its macro does not use.
+use std::cell::LazyCell;
+
 use ecow::EcoString;
 
 use super::super::context::DocumentCx;
@@ -8,7 +10,7 @@ use super::words::MentionedWords;
 use super::{source, unused};
 use base::{FastMap, FastSet};
 use expand::{Definition, DefinitionId, Problem, ProblemKind, SymbolKind, UseKind};
-use facts::is_keyword;
+use facts::{is_keyword, parts_where};
 use xml::{Node, NodeKind};
 
 pub(in super::super) static RULE: Rule = Rule {
@@ -27,7 +29,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     if !source::is_main(cx) {
         return;
     }
-    let forwards = Forwards::of(cx);
+    let forwards = LazyCell::new(|| Forwards::of(cx));
     let mut bodies: FastMap<DefinitionId, Option<MentionedWords>> = FastMap::default();
     for (id, definition) in cx.expansion.index.symbols.iter() {
         let Some(of) = definition
@@ -130,11 +132,8 @@ struct Forwards {
 impl Forwards {
     fn of(cx: &DocumentCx<'_>) -> Self {
         let mut found = Self::default();
-        let items = cx
-            .expansion
-            .files
-            .iter()
-            .flat_map(|file| file.source.document.parts());
+        let documents = cx.expansion.files.iter().map(|file| &file.source.document);
+        let items = documents.flat_map(|document| parts_where(document, |marks| marks.macro_tag));
         let macros = items
             .flat_map(|(_, item)| item.all_nodes())
             .filter(|node| node.name() == "xacro:macro");

@@ -1,0 +1,23 @@
+//! A place for what somebody reads off a part of a document.
+use std::any::Any;
+use std::sync::{Arc, OnceLock};
+
+/// Something of a type that the reader knows.
+#[derive(Clone, Default)]
+pub(super) struct Cache(OnceLock<Arc<dyn Any + Send + Sync>>);
+
+impl Cache {
+    /// What was read; made on first use. One type is kept: for another type, `make` is called every time.
+    pub(super) fn get_or_make<T: Any + Send + Sync>(
+        &self,
+        make: impl FnOnce() -> Arc<T>,
+    ) -> Arc<T> {
+        if let Some(Ok(value)) = self.0.get().map(|value| Arc::clone(value).downcast::<T>()) {
+            return value;
+        }
+        let value = make();
+        // A concurrent caller may have been first; both values are equal then.
+        let _ = self.0.set(value.clone());
+        value
+    }
+}
