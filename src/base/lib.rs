@@ -1,5 +1,6 @@
 //! Ids, text ranges, positions and cancellation: the vocabulary all other modules share.
 
+mod cache;
 mod cancel;
 pub mod clock;
 mod expansion_limits;
@@ -11,6 +12,7 @@ mod range;
 mod severity;
 mod text;
 
+pub use cache::Cache;
 pub use cancel::CancelFlag;
 pub use expansion_limits::ExpansionLimits;
 pub use id_vec::{Id, IdVec};

@@ -1,10 +1,12 @@
 //! What a link is made of: inertia, visuals and collisions, geometry, materials.
 
-use std::sync::OnceLock;
+use std::any::Any;
+use std::sync::{Arc, OnceLock};
 
 use super::attr_value::AttrValue;
 use super::pose::Pose;
 use super::source::first_children;
+use base::Cache;
 use expand::{XId, XTree};
 
 /// A `link` of the robot.
@@ -39,6 +41,7 @@ pub struct Inertial {
     pub inertia: [Option<AttrValue>; 6],
     /// Its numbers: many rules ask for them.
     entries: OnceLock<Option<[f64; 6]>>,
+    cache: Cache,
 }
 
 impl Inertial {
@@ -56,7 +59,13 @@ impl Inertial {
             inertia_element,
             inertia: Self::ENTRIES.map(|name| AttrValue::attr(tree, inertia_element?, name)),
             entries: OnceLock::new(),
+            cache: Cache::default(),
         }
+    }
+
+    /// What somebody reads off it, made on first use; an inertial that an edit does not reach keeps it. One type is kept.
+    pub fn cached<T: Any + Send + Sync>(&self, make: impl FnOnce(&Self) -> Arc<T>) -> Arc<T> {
+        self.cache.get_or_make(|| make(self))
     }
 
     /// The mass in kg, when it is known.

@@ -5,10 +5,9 @@ use std::borrow::Cow;
 use std::fmt;
 use std::sync::Arc;
 
-use super::cache::Cache;
 use super::error::{Condition, ItemError, SyntaxError, SyntaxErrorKind, expat};
 use super::node::{AttrData, Node, NodeData, NodeId, Siblings};
-use base::{Id, TextRange};
+use base::{Cache, Id, TextRange};
 
 /// An immutable piece of a document: leading text and comments and one element, or the header, or the
 /// footer. All ranges in it count from its own start.

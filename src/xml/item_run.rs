@@ -3,8 +3,8 @@ use std::any::Any;
 use std::ops::Deref;
 use std::sync::Arc;
 
-use super::cache::Cache;
 use super::item::Item;
+use base::Cache;
 
 /// Some items in a row. States of a document share the rows that no edit touched, so what is read off one stays with it.
 #[derive(Clone)]

@@ -1,7 +1,6 @@
 //! XML as editors see it: a lossless parser that survives half-typed text, redoes only what an edit
 //! touched, and knows exactly what expat, the parser of the reference, would say.
 
-mod cache;
 mod chars;
 mod chunks;
 mod decode;

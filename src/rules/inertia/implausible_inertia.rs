@@ -5,7 +5,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::inertia_triangle_inequality;
 use super::joined::{LIGHT, is_in_world, is_joined, shape};
-use super::moments::{InertiaClass, inertia_tag, is_same_about_all_axes, short, verdict};
+use super::moments::{InertiaClass, inertia_tag, is_same_about_all_axes, judged, short};
 use super::placeholder_inertia::is_placeholder;
 use model::Link;
 
@@ -39,7 +39,7 @@ fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
     let Some(entries) = inertial.entries() else {
         return;
     };
-    let InertiaClass::Definite([_, _, most]) = verdict(entries) else {
+    let Some(InertiaClass::Definite([_, _, most])) = judged(inertial).class else {
         return;
     };
     let radius = (most / mass).sqrt();

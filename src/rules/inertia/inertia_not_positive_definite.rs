@@ -3,7 +3,7 @@ use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::joined::is_joined;
-use super::moments::{InertiaClass, NEGLIGIBLE_MASS, inertia_tag, verdict};
+use super::moments::{InertiaClass, NEGLIGIBLE_MASS, inertia_tag, judged};
 use model::Link;
 
 pub(in super::super) static RULE: Rule = Rule {
@@ -25,7 +25,7 @@ fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
     if inertial.mass().is_some_and(|mass| mass <= NEGLIGIBLE_MASS) {
         return;
     }
-    let (severity, message) = match inertial.entries().map(verdict) {
+    let (severity, message) = match judged(inertial).class {
         Some(InertiaClass::Negative) => (Severity::Error, "has a negative principal moment"),
         Some(InertiaClass::Singular) => {
             // simulators add the inertia of a link that is fixed to that of its parent

@@ -1,5 +1,4 @@
 //! Principal moments that no body has.
-use ecow::EcoString;
 use nalgebra::{Matrix3, Vector3};
 
 use super::super::context::DocumentCx;
@@ -7,7 +6,7 @@ use super::super::grouping::Group;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::joined::{is_built_into_world, is_in_world, is_small_part};
-use super::moments::{InertiaClass, inertia_tag, short, verdict};
+use super::moments::{Impossible, inertia_tag, judged};
 use model::{Inertial, JointType, Link, transform};
 
 pub(in super::super) static RULE: Rule = Rule {
@@ -25,8 +24,6 @@ pub(in super::super) static RULE: Rule = Rule {
 /// From this many links on, a moment that is too large about the own joint is that of the motor, added on purpose.
 const ROTORS: usize = 3;
 
-/// Less than this part short is rounding.
-const ROUNDING: f64 = 1e-6;
 /// Less than this part short may be rounding.
 const COARSE: f64 = 2e-2;
 
@@ -34,7 +31,11 @@ const COARSE: f64 = 2e-2;
 const LAST_DIGIT: f64 = 1e-6;
 
 fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
-    let Some((inertial, [a, b, c])) = impossible_of(link) else {
+    let Some(inertial) = &link.inertial else {
+        return;
+    };
+    let judged = judged(inertial);
+    let Some(impossible) = &judged.impossible else {
         return;
     };
     let has_rotors = || {
@@ -51,46 +52,27 @@ fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
     } else {
         Severity::Error
     };
+    let [a, b, c] = &impossible.shown;
     let message = format!(
-        "inertia of link `{}` is impossible: moment {} exceeds the sum of {} and {}",
-        link.shown(),
-        short(c),
-        short(a),
-        short(b)
+        "inertia of link `{}` is impossible: moment {c} exceeds the sum of {a} and {b}",
+        link.shown()
     );
     out.report(inertia_tag(cx.expansion, inertial), message)
-        .group(Group::Value(same_numbers(inertial)))
+        .group(Group::Value(impossible.numbers.clone()))
         .severity(severity)
         .help("compute the inertia from mass and shape")
         .done();
 }
 
-/// What is the same of inertias with the same numbers.
-fn same_numbers(inertial: &Inertial) -> EcoString {
-    let entries = inertial.entries().unwrap_or_default();
-    // in hexadecimal: writing them as people read them takes longer than all else that is done here
-    let bits = entries.map(|entry| format!("{:x}", entry.to_bits()));
-    bits.join(" ").into()
-}
-
-/// The inertial of a link with its moments, if no body has them.
-fn impossible_of(link: &Link) -> Option<(&Inertial, [f64; 3])> {
-    let inertial = link.inertial.as_ref()?;
-    Some((inertial, impossible(inertial)?))
-}
-
 /// Whether the largest moment of a link is that of a motor about its own joint.
 fn has_rotor(cx: &DocumentCx<'_>, link: &Link) -> bool {
-    impossible_of(link)
-        .is_some_and(|(inertial, [.., most])| is_about_joint(cx, link, inertial, most))
-}
-
-/// The moments, if no body has them.
-fn impossible(inertial: &Inertial) -> Option<[f64; 3]> {
-    let InertiaClass::Definite(moments @ [a, b, c]) = verdict(inertial.entries()?) else {
-        return None;
-    };
-    (a + b < c * (1.0 - ROUNDING)).then_some(moments)
+    link.inertial.as_ref().is_some_and(|inertial| {
+        let judged = judged(inertial);
+        let impossible = judged.impossible.as_ref();
+        impossible.is_some_and(|Impossible { moments, .. }| {
+            is_about_joint(cx, link, inertial, moments[2])
+        })
+    })
 }
 
 /// Whether the largest moment of a link is that about the axis of its own joint.
@@ -118,7 +100,11 @@ fn is_about_joint(cx: &DocumentCx<'_>, link: &Link, inertial: &Inertial, most: f
 
 /// Whether the inertia of a link is impossible, and not by rounding alone.
 pub(super) fn is_error(cx: &DocumentCx<'_>, link: &Link, inertial: &Inertial) -> bool {
-    let Some([a, b, c]) = impossible(inertial) else {
+    let judged = judged(inertial);
+    let Some(Impossible {
+        moments: [a, b, c], ..
+    }) = judged.impossible.as_ref()
+    else {
         return false;
     };
     // simulators add the inertia of a part that is fixed to a heavy body to that of the body

@@ -1,4 +1,7 @@
 //! Principal moments of inertia.
+use std::sync::Arc;
+
+use ecow::EcoString;
 use nalgebra::{Matrix3, SymmetricEigen};
 
 use super::super::context::DocumentCx;
@@ -30,8 +33,56 @@ pub(super) enum InertiaClass {
     Definite([f64; 3]),
 }
 
+/// What an inertial is, worked out once.
+pub(super) struct Judged {
+    /// Its matrix, when its numbers are known.
+    pub class: Option<InertiaClass>,
+    /// Moments that no body has.
+    pub impossible: Option<Impossible>,
+}
+
+/// Principal moments of which the last one is more than the sum of the others.
+pub(super) struct Impossible {
+    /// In rising order, kg m^2.
+    pub moments: [f64; 3],
+    /// The same for people.
+    pub shown: [String; 3],
+    /// What is the same of inertias with the same numbers.
+    pub numbers: EcoString,
+}
+
+/// A largest moment that is less than this part too large is so by rounding.
+const ROUNDING_OF_SUM: f64 = 1e-6;
+
+/// What an inertial is: many rules ask, and writing numbers takes long.
+pub(super) fn judged(inertial: &Inertial) -> Arc<Judged> {
+    inertial.cached(|inertial| {
+        let class = inertial.entries().map(verdict);
+        let impossible = match class {
+            Some(InertiaClass::Definite(moments @ [a, b, c]))
+                if a + b < c * (1.0 - ROUNDING_OF_SUM) =>
+            {
+                Some(Impossible {
+                    moments,
+                    shown: moments.map(short),
+                    numbers: same_numbers(inertial),
+                })
+            }
+            _ => None,
+        };
+        Arc::new(Judged { class, impossible })
+    })
+}
+
+fn same_numbers(inertial: &Inertial) -> EcoString {
+    let entries = inertial.entries().unwrap_or_default();
+    // in hexadecimal: writing them as people read them takes longer than all else that is done here
+    let bits = entries.map(|entry| format!("{:x}", entry.to_bits()));
+    bits.join(" ").into()
+}
+
 /// Judge `ixx ixy ixz iyy iyz izz`.
-pub(super) fn verdict(entries: [f64; 6]) -> InertiaClass {
+fn verdict(entries: [f64; 6]) -> InertiaClass {
     let entries = without_noise(entries);
     let [xx, _, _, yy, _, zz] = entries;
     if entries == [0.0; 6] {

@@ -2,7 +2,7 @@
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::moments::{InertiaClass, inertia_tag, short, verdict};
+use super::moments::{InertiaClass, inertia_tag, judged, short};
 use model::Link;
 
 pub(super) static RULE: Rule = Rule {
@@ -24,7 +24,7 @@ fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
     let Some(inertial) = &link.inertial else {
         return;
     };
-    let Some(InertiaClass::Definite([least, ..])) = inertial.entries().map(verdict) else {
+    let Some(InertiaClass::Definite([least, ..])) = judged(inertial).class else {
         return;
     };
     if least > 0.0 && least < TINY {

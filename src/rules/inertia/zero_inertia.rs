@@ -3,7 +3,7 @@ use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::joined::{LIGHT, is_in_world, is_joined};
-use super::moments::{InertiaClass, inertia_tag, verdict};
+use super::moments::{InertiaClass, inertia_tag, judged};
 use model::Link;
 
 pub(super) static RULE: Rule = Rule {
@@ -26,7 +26,7 @@ fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
         return;
     };
     let heavy = inertial.mass().is_some_and(|mass| mass > NOTHING);
-    if heavy && inertial.entries().map(verdict) == Some(InertiaClass::Zero) {
+    if heavy && judged(inertial).class == Some(InertiaClass::Zero) {
         let message = format!("link `{}` has a mass but zero inertia", link.shown());
         // what is joined to a heavier body, or never turns, needs no inertia of its own
         let is_frame = !link.has_geometry() && inertial.mass().is_some_and(|mass| mass <= LIGHT);

@@ -3,7 +3,7 @@ use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::joined::is_joined;
-use super::moments::{InertiaClass, verdict};
+use super::moments::{InertiaClass, judged};
 use model::{Link, Robot, element_range};
 
 pub(in super::super) static RULE: Rule = Rule {
@@ -30,10 +30,9 @@ fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
         return;
     };
     // a frame that says that it weighs nothing is harmless, as is an object that simulators take for static
-    let no_inertia = inertial
-        .entries()
-        .map(verdict)
-        .is_none_or(|verdict| verdict == InertiaClass::Zero);
+    let no_inertia = judged(inertial)
+        .class
+        .is_none_or(|class| class == InertiaClass::Zero);
     let is_frame = !link.has_geometry() && no_inertia;
     let is_object = no_inertia && cx.robot.is_some_and(Robot::is_rigid);
     let harmless = is_frame || is_object || is_joined(cx, link);
