@@ -10,7 +10,7 @@ use super::graph::Graph;
 use super::options::CheckOptions;
 use super::proof::{AffectedRobots, Effort};
 use super::report::Report;
-use super::root_analysis::{RootAnalysis, task_of};
+use super::root_analysis::{RootAnalysis, Work, task_of};
 use super::root_config::RootConfig;
 use super::root_result::RootResult;
 use super::scan::Scan;
@@ -42,8 +42,8 @@ pub struct AnalysisHost {
     cache: FastMap<RootConfig, Arc<RootAnalysis>>,
     /// The last expansions without errors.
     good: FastMap<RootConfig, Arc<RootAnalysis>>,
-    /// How many expansions were made.
-    expansions: u64,
+    /// What was done so far.
+    work: Work,
     /// Counts what no record tells of: packages, meshes, configuration.
     epoch: u64,
     /// Whether every configured root is checked with each preset, not only what files are shown under.
@@ -81,7 +81,7 @@ impl AnalysisHost {
             selections: FastMap::default(),
             cache: FastMap::default(),
             good: FastMap::default(),
-            expansions: 0,
+            work: Work::default(),
             epoch: 0,
             all_contexts: false,
             editor: Vec::new(),
@@ -117,9 +117,9 @@ impl AnalysisHost {
         }
     }
 
-    /// How many times a robot was expanded so far, because something that it reads had changed.
-    pub fn expansions(&self) -> u64 {
-        self.expansions
+    /// What was done so far, because something that a robot reads had changed.
+    pub fn work(&self) -> Work {
+        self.work
     }
 
     /// Files, packages and configuration.
@@ -426,7 +426,7 @@ impl AnalysisHost {
         if cancel.is_cancelled() {
             return None;
         }
-        self.expansions += 1;
+        self.work.add(&expansion);
         let before = before.map(Arc::as_ref);
         let made = RootAnalysis::new(root.clone(), expansion, self.epoch, before);
         let made = Arc::new(made);

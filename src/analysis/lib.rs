@@ -102,7 +102,7 @@ pub use progress::Progress;
 pub use proof::{AffectedRobots, Effort};
 pub use renaming::{NewName, Obstacle, Replaced};
 pub use report::{Position, Report, SkipReason, Skipped, Unreadable};
-pub use root_analysis::RootAnalysis;
+pub use root_analysis::{RootAnalysis, Work};
 pub use root_config::{Context, RootConfig, RootReason};
 pub use session::{Session, Setup};
 pub use walk::is_launch;

@@ -16,6 +16,30 @@ use model::{Kinematics, Robot};
 use rules::{RobotNames, Settled};
 use vfs::Vfs;
 
+/// How much was expanded.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Work {
+    /// How many times a robot was expanded.
+    pub expanded: u64,
+    /// How many items of root files were not evaluated for it, because an edit did not reach them.
+    pub items_left_out: u64,
+}
+
+impl Work {
+    pub(super) fn add(&mut self, expansion: &Expansion) {
+        self.expanded += 1;
+        self.items_left_out += expansion.left_out() as u64;
+    }
+
+    /// What was done since there was less.
+    pub fn since(self, before: Self) -> Self {
+        Self {
+            expanded: self.expanded - before.expanded,
+            items_left_out: self.items_left_out - before.items_left_out,
+        }
+    }
+}
+
 /// A root expanded.
 pub struct RootAnalysis {
     /// What was expanded.

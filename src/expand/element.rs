@@ -100,12 +100,12 @@ impl Expander<'_> {
         let has_tail = document.footer_content().next().is_some();
         let mut next = first;
         while next < count as usize {
-            if self.is_marked(&siblings) {
+            if self.has_checkpoints(&siblings) {
                 if let Some(behind) = self.leave_out(next, &mut siblings) {
                     next = behind;
                     continue;
                 }
-                self.put_mark(next, &siblings);
+                self.add_checkpoint(next, &siblings);
             }
             let i = next as u32;
             next += 1;

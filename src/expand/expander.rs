@@ -110,7 +110,7 @@ impl<'w> Expander<'w> {
     fn run(mut self) -> Expansion {
         self.bind_arguments();
         self.expand_root();
-        self.result.complete &= self.steps.marks.iter().all(|mark| mark.is_complete);
+        self.result.complete &= self.steps.checkpoints.iter().all(|one| one.is_complete);
         self.keep_open_scopes();
         self.admit_unknown();
         self.probe_macros();
@@ -130,12 +130,12 @@ impl<'w> Expander<'w> {
         if self.request.keep {
             // it will be looked at often; what it was made with is not needed any more
             self.files.texts = FastMap::default();
-            let passed = self.passed();
+            let resume = self.resume_state();
             self.names.scopes = Scopes::new();
             let Expansion { tree, index, .. } = &mut self.result;
             let beside = index.probes.iter_mut().map(|probe| &mut probe.content);
             let moved = tree.compact(beside);
-            self.result.memo = Some(Box::new(self.memo(&moved, passed)));
+            self.result.memo = Some(Box::new(self.memo(&moved, resume)));
             self.result.shrink();
         }
         let result = std::mem::take(&mut self.result);

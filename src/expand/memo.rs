@@ -11,7 +11,7 @@ use std::sync::Arc;
 use ecow::EcoString;
 
 use super::binding_info::{ArgumentValue, BindingId};
-use super::marks::Passed;
+use super::checkpoint::ResumeState;
 use super::node::XId;
 use super::origin::{FrameId, SrcId};
 use super::record::Read;
@@ -30,7 +30,7 @@ pub(super) struct Memo {
     /// In document order.
     pub steps: Vec<StepResult>,
     /// Places between items to go on from.
-    pub passed: Option<Passed>,
+    pub resume: Option<ResumeState>,
     /// How many of them were taken over from the expansion before, and how many items were not evaluated.
     pub taken_over: usize,
     pub left_out: usize,

@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use ecow::EcoString;
 
+use super::checkpoint::ResumeState;
 use super::expander::Expander;
 use super::expansion::Expansion;
 use super::macro_table::Macros;
-use super::marks::Passed;
 use super::memo::{ForcedProperty, Memo, Recorder, StepMemo, StepReads, StepResult};
 use super::names::EvalContext;
 use super::node::{XId, XKind};
@@ -299,7 +299,7 @@ impl Expander<'_> {
 
     /// What the next expansion may take over, with its places in the finished document: `moved` are the elements below the root
     /// as they were numbered and as they are now.
-    pub(super) fn memo(&mut self, moved: &[(XId, XId)], passed: Option<Passed>) -> Memo {
+    pub(super) fn memo(&mut self, moved: &[(XId, XId)], resume: Option<ResumeState>) -> Memo {
         let rest = std::mem::take(&mut self.steps.rest);
         let number = |old: XId| {
             moved
@@ -311,20 +311,24 @@ impl Expander<'_> {
             .kept
             .and_then(|(last, kept)| Some(number(kept)?.away_from(last)));
         let by = by.unwrap_or_default();
-        let passed = passed.map(|mut passed| {
+        let resume = resume.map(|mut resume| {
             let mut elements = moved.iter().peekable();
-            for (at, mark) in passed.marks.iter_mut().enumerate().skip(rest.front.0) {
-                if !rest.marks.contains(&at) {
+            for (at, checkpoint) in resume.checkpoints.iter_mut().enumerate().skip(rest.front.0) {
+                if !rest.checkpoints.contains(&at) {
                     // there may be several behind the same element
-                    while elements.next_if(|(old, _)| *old != mark.last).is_some() {}
-                    mark.last = elements.peek().map_or(mark.last, |(_, new)| *new);
-                } else if let Some((_, here)) = rest.last.filter(|(old, _)| *old == mark.last) {
-                    mark.last = number(here).unwrap_or(mark.last);
+                    while elements
+                        .next_if(|(old, _)| *old != checkpoint.last)
+                        .is_some()
+                    {}
+                    checkpoint.last = elements.peek().map_or(checkpoint.last, |(_, new)| *new);
+                } else if let Some((_, here)) = rest.last.filter(|(old, _)| *old == checkpoint.last)
+                {
+                    checkpoint.last = number(here).unwrap_or(checkpoint.last);
                 } else {
-                    mark.last = mark.last.moved(by);
+                    checkpoint.last = checkpoint.last.moved(by);
                 }
             }
-            passed
+            resume
         });
         let tree = &self.result.tree;
         let mut elements = moved.iter();
@@ -351,7 +355,7 @@ impl Expander<'_> {
         Memo {
             request,
             steps,
-            passed,
+            resume,
             taken_over: self.steps.taken_over,
             left_out: self.steps.left_out,
         }

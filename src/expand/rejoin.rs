@@ -2,10 +2,10 @@
 use std::ops::Range;
 use std::sync::Arc;
 
+use super::checkpoint::{Checkpoint, ResumeState};
 use super::expander::Expander;
 use super::expansion::{Expansion, FileUse};
 use super::journal::Change;
-use super::marks::{Mark, Passed};
 use super::memo::StepResult;
 use super::origin::SrcId;
 use super::record::Read;
@@ -17,37 +17,37 @@ use super::tag::SiblingState;
 use base::Id;
 
 impl Expander<'_> {
-    /// Leave out the items behind a mark of the last expansion when everything stands as it did there; the item to go on with.
+    /// Leave out the items behind a checkpoint of the last expansion when everything stands as it did there; the item to go on with.
     pub(super) fn leave_out(&mut self, item: usize, siblings: &mut SiblingState) -> Option<usize> {
         let resumed = self.steps.resumed.as_ref()?;
         if item < resumed.changed.end || !resumed.is_current {
             return None;
         }
         let before = self.steps.before?;
-        let passed = before.memo.passed.as_ref()?;
-        let at = passed
-            .marks
-            .binary_search_by_key(&item, |mark| mark.item)
+        let resume = before.memo.resume.as_ref()?;
+        let at = resume
+            .checkpoints
+            .binary_search_by_key(&item, |checkpoint| checkpoint.item)
             .ok()?;
         let (from, then, end) = (
-            passed.marks.get(resumed.from)?,
-            passed.marks.get(at)?,
-            passed.marks.last()?,
+            resume.checkpoints.get(resumed.from)?,
+            resume.checkpoints.get(at)?,
+            resume.checkpoints.last()?,
         );
-        let now = self.mark(item, siblings)?;
+        let now = self.checkpoint(item, siblings)?;
         let is_alike = then.item < end.item
             && now.numbers == then.numbers
             && (end.state.attrs.is_same(&then.state.attrs)
                 || now.state.attrs.is_same(&then.state.attrs))
             && self.stands_as(before.expansion, &now, then)
-            && self.did_the_same(before.expansion, passed, (from, then), &now)
-            && self.leads_on(passed, then, end)
+            && self.did_the_same(before.expansion, resume, (from, then), &now)
+            && self.leads_on(resume, then, end)
             && self.has_room_for(&now, then, end);
         if !is_alike {
             return None;
         }
-        let marks = passed.marks.get(at..)?;
-        self.add_between(before.expansion, passed, &now, (then, end), siblings);
+        let checkpoints = resume.checkpoints.get(at..)?;
+        self.add_between(before.expansion, resume, &now, (then, end), siblings);
         self.add_calls(
             before
                 .memo
@@ -56,7 +56,7 @@ impl Expander<'_> {
             &now,
             then,
         );
-        self.add_marks(&now, marks);
+        self.add_checkpoints(&now, checkpoints);
         siblings.eval_comments = end.state.eval_comments;
         self.steps.resumed = None;
         self.steps.left_out += end.item - item;
@@ -64,7 +64,7 @@ impl Expander<'_> {
     }
 
     /// Whether nothing that is seen from the items behind is different.
-    fn stands_as(&self, before: &Expansion, now: &Mark, then: &Mark) -> bool {
+    fn stands_as(&self, before: &Expansion, now: &Checkpoint, then: &Checkpoint) -> bool {
         let (state, old) = (&now.state, &then.state);
         let files = |expansion: &Expansion| -> Vec<FileUse> {
             expansion
@@ -94,11 +94,11 @@ impl Expander<'_> {
     fn did_the_same(
         &self,
         before: &Expansion,
-        passed: &Passed,
-        (from, then): (&Mark, &Mark),
-        now: &Mark,
+        resume: &ResumeState,
+        (from, then): (&Checkpoint, &Checkpoint),
+        now: &Checkpoint,
     ) -> bool {
-        let changes = part(&passed.changes, from.lengths.changes..then.lengths.changes);
+        let changes = part(&resume.changes, from.lengths.changes..then.lengths.changes);
         let own = part(
             &self.steps.journal.changes,
             from.lengths.changes..now.lengths.changes,
@@ -116,7 +116,12 @@ impl Expander<'_> {
     }
 
     /// Whether the items in between were the first to give and to use the same names outside of the texts that are other ones.
-    fn named_the_same(&self, before: &Expansion, (from, then): (&Mark, &Mark), now: &Mark) -> bool {
+    fn named_the_same(
+        &self,
+        before: &Expansion,
+        (from, then): (&Checkpoint, &Checkpoint),
+        now: &Checkpoint,
+    ) -> bool {
         let Some(resumed) = &self.steps.resumed else {
             return false;
         };
@@ -150,20 +155,20 @@ impl Expander<'_> {
     }
 
     /// Whether the items behind reported nothing, and define no name that was asked for too early.
-    fn leads_on(&self, passed: &Passed, then: &Mark, end: &Mark) -> bool {
-        let changes = part(&passed.changes, then.lengths.changes..end.lengths.changes);
+    fn leads_on(&self, resume: &ResumeState, then: &Checkpoint, end: &Checkpoint) -> bool {
+        let changes = part(&resume.changes, then.lengths.changes..end.lengths.changes);
         let is_early = |name| self.names.undefined.keys().any(|(_, early)| early == name);
-        let behind = passed.marks.iter().rev();
-        let mut behind = behind.take_while(|mark| mark.item > then.item);
+        let behind = resume.checkpoints.iter().rev();
+        let mut behind = behind.take_while(|checkpoint| checkpoint.item > then.item);
         then.touched == end.touched
-            && behind.all(|mark| mark.is_complete)
+            && behind.all(|checkpoint| checkpoint.is_complete)
             && (then.lengths.unclear, then.in_place) == (end.lengths.unclear, end.in_place)
             && (self.names.undefined.is_empty()
                 || !changes.iter().filter_map(Change::defines).any(is_early))
     }
 
     /// Whether no limit is reached in the items behind.
-    fn has_room_for(&self, now: &Mark, then: &Mark, end: &Mark) -> bool {
+    fn has_room_for(&self, now: &Checkpoint, then: &Checkpoint, end: &Checkpoint) -> bool {
         let all = now.lengths.and_between(&then.lengths, &end.lengths);
         let more = end.lengths.evaluations - then.lengths.evaluations;
         all.nodes as u64 <= self.request.limits.expand_nodes
@@ -172,13 +177,13 @@ impl Expander<'_> {
             && self.result.index.evaluations.has_room(more)
     }
 
-    /// Add what the items between two marks gave.
+    /// Add what the items between two checkpoints gave.
     fn add_between(
         &mut self,
         before: &Expansion,
-        passed: &Passed,
-        now: &Mark,
-        (then, end): (&Mark, &Mark),
+        resume: &ResumeState,
+        now: &Checkpoint,
+        (then, end): (&Checkpoint, &Checkpoint),
         siblings: &SiblingState,
     ) {
         let (from, to) = (&then.lengths, &end.lengths);
@@ -229,26 +234,31 @@ impl Expander<'_> {
             .extend_from_slice(part(&before.includes, from.includes..to.includes));
         self.probing
             .macros
-            .extend_from_slice(part(&passed.probed, from.macros..to.macros));
+            .extend_from_slice(part(&resume.probed, from.macros..to.macros));
         self.guards.budget.steps -= to.spent.0 - from.spent.0;
         self.guards.budget.bytes -= to.spent.1 - from.spent.1;
         self.gaps.losses += end.state.gaps.losses - then.state.gaps.losses;
-        self.add_names(before, passed, (then, end));
+        self.add_names(before, resume, (then, end));
         self.add_elements(before, now, (then, end), siblings);
     }
 
-    /// The names of the document that the items between two marks change, and their bindings.
-    fn add_names(&mut self, before: &Expansion, passed: &Passed, (then, end): (&Mark, &Mark)) {
+    /// The names of the document that the items between two checkpoints change, and their bindings.
+    fn add_names(
+        &mut self,
+        before: &Expansion,
+        resume: &ResumeState,
+        (then, end): (&Checkpoint, &Checkpoint),
+    ) {
         let names = &mut self.names;
         let given = then.numbers.bindings..end.numbers.bindings;
         let own = &mut self.result.index.bindings;
         own.extend_from_slice(part(before.index.bindings.as_slice(), given));
         // what the end of the expansion did is done again there
-        let later = passed.changes.get(end.lengths.changes..);
+        let later = resume.changes.get(end.lengths.changes..);
         for change in later.unwrap_or_default().iter().rev() {
             change.undo_binding(own);
         }
-        let changes = part(&passed.changes, then.lengths.changes..end.lengths.changes);
+        let changes = part(&resume.changes, then.lengths.changes..end.lengths.changes);
         for change in changes {
             change.redo(names, own);
         }
@@ -256,19 +266,19 @@ impl Expander<'_> {
         names.scopes.get_mut(Scopes::TOP).evaluated = end.state.evaluated;
         names.scopes.skip(end.numbers.scopes - then.numbers.scopes);
         names.macros.skip(end.numbers.tables - then.numbers.tables);
-        for (id, scope) in &passed.scopes {
+        for (id, scope) in &resume.scopes {
             if (then.numbers.scopes..end.numbers.scopes).contains(&id.index()) {
                 *names.scopes.get_mut(*id) = scope.clone();
             }
         }
     }
 
-    /// The nodes between two marks.
+    /// The nodes between two checkpoints.
     fn add_elements(
         &mut self,
         before: &Expansion,
-        now: &Mark,
-        (then, end): (&Mark, &Mark),
+        now: &Checkpoint,
+        (then, end): (&Checkpoint, &Checkpoint),
         siblings: &SiblingState,
     ) {
         let (tree, old) = (&mut self.result.tree, &before.tree);
@@ -291,8 +301,8 @@ impl Expander<'_> {
         self.steps.nodes_left_out = all - self.result.tree.len();
     }
 
-    /// The macro calls between two marks.
-    fn add_calls(&mut self, steps: &[StepResult], now: &Mark, then: &Mark) {
+    /// The macro calls between two checkpoints.
+    fn add_calls(&mut self, steps: &[StepResult], now: &Checkpoint, then: &Checkpoint) {
         let first = self.steps.done.len();
         self.steps.taken_over += steps.len();
         let moved = steps.iter().map(|kept| StepResult {
@@ -303,27 +313,29 @@ impl Expander<'_> {
         self.steps.rest.steps = first..self.steps.done.len();
     }
 
-    /// The marks from the one where everything stood alike to the last one.
-    fn add_marks(&mut self, now: &Mark, marks: &[Mark]) {
-        let Some(then) = marks.first() else { return };
+    /// The checkpoints from the one where everything stood alike to the last one.
+    fn add_checkpoints(&mut self, now: &Checkpoint, checkpoints: &[Checkpoint]) {
+        let Some(then) = checkpoints.first() else {
+            return;
+        };
         let has_undefined = !self.names.undefined.is_empty();
-        if (self.steps.marks.last()).is_none_or(|last| last.item < now.item) {
+        if (self.steps.checkpoints.last()).is_none_or(|last| last.item < now.item) {
             self.result.complete = true;
-            self.steps.marks.push(now.clone());
+            self.steps.checkpoints.push(now.clone());
         }
-        let first = self.steps.marks.len();
-        for mark in marks.iter().skip(1) {
-            let mut moved = mark.clone();
-            moved.lengths = now.lengths.and_between(&then.lengths, &mark.lengths);
+        let first = self.steps.checkpoints.len();
+        for checkpoint in checkpoints.iter().skip(1) {
+            let mut moved = checkpoint.clone();
+            moved.lengths = now.lengths.and_between(&then.lengths, &checkpoint.lengths);
             moved.state.gaps.losses =
-                now.state.gaps.losses + mark.state.gaps.losses - then.state.gaps.losses;
-            moved.touched = now.touched + mark.touched - then.touched;
+                now.state.gaps.losses + checkpoint.state.gaps.losses - then.state.gaps.losses;
+            moved.touched = now.touched + checkpoint.touched - then.touched;
             moved.has_undefined |= has_undefined;
-            if mark.state.attrs.is_same(&then.state.attrs) {
+            if checkpoint.state.attrs.is_same(&then.state.attrs) {
                 moved.state.attrs = now.state.attrs.clone();
             }
-            self.steps.marks.push(moved);
+            self.steps.checkpoints.push(moved);
         }
-        self.steps.rest.marks = first..self.steps.marks.len();
+        self.steps.rest.checkpoints = first..self.steps.checkpoints.len();
     }
 }

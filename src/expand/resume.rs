@@ -3,9 +3,9 @@
 use std::ops::Range;
 use std::sync::Arc;
 
+use super::checkpoint::{Checkpoint, ResumeState, Resumption};
 use super::expander::Expander;
 use super::expansion::Expansion;
-use super::marks::{Mark, Passed, Resumed};
 use super::node::XId;
 use super::origin::FileIdx;
 use super::problem::Severity;
@@ -28,51 +28,54 @@ impl<'w> Expander<'w> {
     /// all items have to be evaluated.
     pub(super) fn resume(&mut self, file: FileIdx) -> Option<Entry> {
         let before = self.steps.before?;
-        let passed = before.memo.passed.as_ref()?;
+        let resume = before.memo.resume.as_ref()?;
         let changed = self.changed_items(before.expansion, file)?;
         let now = expr::changes_in_place();
-        if passed.in_place != now
-            || !self.has_same_packages(passed)
+        if resume.in_place != now
+            || !self.has_same_packages(resume)
             || !self.problems.list.is_empty()
         {
             return None;
         }
         let reads = self.reads_that_hold(before.expansion)?;
         // a hole that nobody has reported is looked for at the end, in what is evaluated
-        let first_hole = passed.marks.iter().find(|mark| !mark.is_complete);
-        let is_reported = |mark: &Mark| {
-            let reported = part(&before.expansion.problems, 0..mark.lengths.problems);
-            first_hole.is_none_or(|hole| mark.item < hole.item)
+        let first_hole = resume
+            .checkpoints
+            .iter()
+            .find(|checkpoint| !checkpoint.is_complete);
+        let is_reported = |checkpoint: &Checkpoint| {
+            let reported = part(&before.expansion.problems, 0..checkpoint.lengths.problems);
+            first_hole.is_none_or(|hole| checkpoint.item < hole.item)
                 || reported.iter().any(|one| one.severity == Severity::Error)
         };
-        let is_usable = |mark: &Mark| {
-            is_reported(mark)
-                && mark.item <= changed.start
-                && mark.lengths.record <= reads
-                && (mark.lengths.unclear, mark.in_place) == (passed.unclear, now)
-                && !mark.has_undefined
+        let is_usable = |checkpoint: &Checkpoint| {
+            is_reported(checkpoint)
+                && checkpoint.item <= changed.start
+                && checkpoint.lengths.record <= reads
+                && (checkpoint.lengths.unclear, checkpoint.in_place) == (resume.unclear, now)
+                && !checkpoint.has_undefined
         };
-        let from = passed.marks.iter().rposition(is_usable)?;
-        let mark = passed.marks.get(from)?;
+        let from = resume.checkpoints.iter().rposition(is_usable)?;
+        let checkpoint = resume.checkpoints.get(from)?;
         let root = before.expansion.tree.root()?;
-        self.restore(before.expansion, passed, mark, root);
-        self.steps.marks = passed.marks.get(..=from)?.to_vec();
-        self.steps.taken_over = mark.lengths.steps;
-        self.steps.left_out = mark.item;
-        self.steps.rest.front = (from + 1, mark.lengths.steps);
-        let steps = before.memo.steps.get(..mark.lengths.steps)?;
+        self.restore(before.expansion, resume, checkpoint, root);
+        self.steps.checkpoints = resume.checkpoints.get(..=from)?.to_vec();
+        self.steps.taken_over = checkpoint.lengths.steps;
+        self.steps.left_out = checkpoint.item;
+        self.steps.rest.front = (from + 1, checkpoint.lengths.steps);
+        let steps = before.memo.steps.get(..checkpoint.lengths.steps)?;
         self.steps.done = steps.to_vec();
-        self.steps.resumed = Some(Resumed {
+        self.steps.resumed = Some(Resumption {
             from,
             changed,
             is_current: reads == before.expansion.record.len(),
         });
-        debug_assert_eq!(self.numbers(), mark.numbers);
-        debug_assert_eq!(self.lengths(), mark.lengths);
+        debug_assert_eq!(self.numbers(), checkpoint.numbers);
+        debug_assert_eq!(self.lengths(), checkpoint.lengths);
         Some(Entry {
             root,
-            item: mark.item,
-            eval_comments: mark.state.eval_comments,
+            item: checkpoint.item,
+            eval_comments: checkpoint.state.eval_comments,
         })
     }
 
@@ -87,8 +90,8 @@ impl<'w> Expander<'w> {
         document.items_not_in(old).filter(|_| is_alike)
     }
 
-    fn has_same_packages(&self, passed: &Passed) -> bool {
-        passed.packages.iter().all(|(name, from, folder)| {
+    fn has_same_packages(&self, resume: &ResumeState) -> bool {
+        resume.packages.iter().all(|(name, from, folder)| {
             let now = self.sources.packages.find(name, from);
             now.ok().map(|found| found.path) == *folder
         })
@@ -122,17 +125,23 @@ impl<'w> Expander<'w> {
         Some(before.record.iter().take_while(|read| holds(read)).count())
     }
 
-    /// Put everything as it was at a mark.
-    fn restore(&mut self, before: &Expansion, passed: &Passed, mark: &Mark, root: XId) {
-        let (numbers, lengths) = (&mark.numbers, &mark.lengths);
+    /// Put everything as it was at a checkpoint.
+    fn restore(
+        &mut self,
+        before: &Expansion,
+        resume: &ResumeState,
+        checkpoint: &Checkpoint,
+        root: XId,
+    ) {
+        let (numbers, lengths) = (&checkpoint.numbers, &checkpoint.lengths);
         let result = &mut self.result;
-        let behind = before.tree.behind(mark.last);
-        let attrs = mark.state.attrs.clone();
+        let behind = before.tree.behind(checkpoint.last);
+        let attrs = checkpoint.state.attrs.clone();
         result
             .tree
-            .restore(&before.tree, (mark.last, behind), (root, attrs));
+            .restore(&before.tree, (checkpoint.last, behind), (root, attrs));
         self.marker = result.tree.add_marker();
-        if mark.state.has_marker {
+        if checkpoint.state.has_marker {
             result.tree.append(root, self.marker);
         }
         result.frames.clear();
@@ -172,40 +181,49 @@ impl<'w> Expander<'w> {
         symbols.restore(&index.symbols, numbers.definitions, lengths.uses);
         result.messages = part(&before.messages, 0..lengths.messages).to_vec();
         result.includes = part(&before.includes, 0..lengths.includes).to_vec();
-        self.problems
-            .restore(part(&before.problems, 0..lengths.problems), mark.touched);
-        self.restore_names(before, passed, mark);
-        self.gaps = mark.state.gaps;
-        self.files.glob_entries = mark.glob_entries;
-        self.names.compared = mark.compared;
-        self.probing.macros = part(&passed.probed, 0..lengths.macros).to_vec();
+        self.problems.restore(
+            part(&before.problems, 0..lengths.problems),
+            checkpoint.touched,
+        );
+        self.restore_names(before, resume, checkpoint);
+        self.gaps = checkpoint.state.gaps;
+        self.files.glob_entries = checkpoint.glob_entries;
+        self.names.compared = checkpoint.compared;
+        self.probing.macros = part(&resume.probed, 0..lengths.macros).to_vec();
         self.guards.budget.steps = self.guards.start.0 - lengths.spent.0;
         self.guards.budget.bytes = self.guards.start.1 - lengths.spent.1;
-        self.steps.packages.clone_from(&passed.packages);
+        self.steps.packages.clone_from(&resume.packages);
         self.steps.journal.unclear = lengths.unclear;
-        self.steps.journal.changes = part(&passed.changes, 0..lengths.changes).to_vec();
+        self.steps.journal.changes = part(&resume.changes, 0..lengths.changes).to_vec();
         self.steps.nodes_left_out = lengths.nodes - self.result.tree.len();
     }
 
-    /// The names of the document as they were at a mark, and the bindings.
-    fn restore_names(&mut self, before: &Expansion, passed: &Passed, mark: &Mark) {
+    /// The names of the document as they were at a checkpoint, and the bindings.
+    fn restore_names(&mut self, before: &Expansion, resume: &ResumeState, checkpoint: &Checkpoint) {
         let names = &mut self.names;
-        *names.scopes.get_mut(Scopes::TOP) = passed.top.clone();
-        names.macros.put_top(passed.macros.clone());
-        names.args.clone_from(&passed.args);
+        *names.scopes.get_mut(Scopes::TOP) = resume.top.clone();
+        names.macros.put_top(resume.macros.clone());
+        names.args.clone_from(&resume.args);
         let bindings = &mut self.result.index.bindings;
         bindings.clear();
-        let kept = part(before.index.bindings.as_slice(), 0..mark.numbers.bindings);
+        let kept = part(
+            before.index.bindings.as_slice(),
+            0..checkpoint.numbers.bindings,
+        );
         bindings.extend_from_slice(kept);
-        let later = passed.changes.get(mark.lengths.changes..);
+        let later = resume.changes.get(checkpoint.lengths.changes..);
         for change in later.unwrap_or_default().iter().rev() {
             change.undo(names, bindings);
         }
-        names.scopes.get_mut(Scopes::TOP).evaluated = mark.state.evaluated;
-        names.scopes.skip(mark.numbers.scopes - names.scopes.len());
-        names.macros.skip(mark.numbers.tables - names.macros.len());
-        for (id, scope) in &passed.scopes {
-            if id.index() < mark.numbers.scopes {
+        names.scopes.get_mut(Scopes::TOP).evaluated = checkpoint.state.evaluated;
+        names
+            .scopes
+            .skip(checkpoint.numbers.scopes - names.scopes.len());
+        names
+            .macros
+            .skip(checkpoint.numbers.tables - names.macros.len());
+        for (id, scope) in &resume.scopes {
+            if id.index() < checkpoint.numbers.scopes {
                 *names.scopes.get_mut(*id) = scope.clone();
             }
         }

@@ -5,9 +5,9 @@ use std::sync::Arc;
 use ecow::EcoString;
 
 use super::before::Before;
+use super::checkpoint::{Checkpoint, Resumption, TakenOver};
 use super::journal::Journal;
 use super::macro_table::MacroDef;
-use super::marks::{Mark, Rest, Resumed};
 use super::memo::{Recorder, StepResult};
 use super::names::EvalContext;
 use super::origin::FileIdx;
@@ -114,15 +114,15 @@ pub(super) struct Steps<'w> {
     /// How many nodes were not made since steps were taken over.
     pub nodes_left_out: usize,
     /// Places between the items of the root.
-    pub marks: Vec<Mark>,
+    pub checkpoints: Vec<Checkpoint>,
     /// What changed of what was there.
     pub journal: Journal,
     /// The last expansion, where this one goes on from it.
-    pub resumed: Option<Resumed>,
+    pub resumed: Option<Resumption>,
     /// How many items were not evaluated.
     pub left_out: usize,
     /// What was taken over from it.
-    pub rest: Rest,
+    pub rest: TakenOver,
     /// Packages that were asked for: name, the file that asks, the folder.
     pub packages: Vec<(EcoString, PathBuf, Option<PathBuf>)>,
     /// Scopes with properties that nothing had evaluated at the end of the items, and macros that were defined until then.
@@ -139,11 +139,11 @@ impl<'w> Steps<'w> {
             recorder: None,
             taken_over: 0,
             nodes_left_out: 0,
-            marks: Vec::new(),
+            checkpoints: Vec::new(),
             journal: Journal::default(),
             resumed: None,
             left_out: 0,
-            rest: Rest::default(),
+            rest: TakenOver::default(),
             packages: Vec::new(),
             open_scopes: Vec::new(),
             probed: Vec::new(),

@@ -15,7 +15,7 @@ use crate::requests::beside::robots_described;
 use crate::requests::code_action::sentence_case;
 use crate::scheduler::Cause;
 use crate::state::ServerState;
-use analysis::{Report, is_settings};
+use analysis::{Report, Work, is_settings};
 use base::CancelFlag;
 use base::clock::Instant;
 use base::limits::{DIAGNOSTICS, RELATED};
@@ -97,10 +97,14 @@ fn checked(
     cause: &Cause,
     cancel: &CancelFlag,
 ) -> Option<Report> {
-    let (start, before) = (Instant::now(), state.host.expansions());
+    let start = Instant::now();
+    let before = state.host.work();
     let report = state.host.report(open, cancel);
     let ms = start.elapsed().as_micros() as f64 / 1000.0;
-    let expanded = state.host.expansions() - before;
+    let Work {
+        expanded,
+        items_left_out,
+    } = state.host.work().since(before);
     match &report {
         Some(report) => {
             let (robots, findings) = (report.roots.len(), report.findings.len());
@@ -108,6 +112,7 @@ fn checked(
                 files = open.len(),
                 robots,
                 expanded,
+                items_left_out,
                 findings,
                 ms,
                 "checked: {cause}"

@@ -47,7 +47,7 @@ fn the_client_is_told_as_much_as_it_asks_for() {
         .unwrap()
         .to_owned();
     assert!(
-        verbose.starts_with("files=1 robots=1 expanded=1 findings=0 ms="),
+        verbose.starts_with("files=1 robots=1 expanded=1 items_left_out=0 findings=0 ms="),
         "{verbose}"
     );
     client.notify("$/setTrace", json!({ "value": "off" }));

@@ -19,15 +19,15 @@ use expr::ScopeId;
 
 /// A place in front of an item.
 #[derive(Clone, Debug)]
-pub(super) struct Mark {
+pub(super) struct Checkpoint {
     /// The item behind it, counted from the first below the root element.
     pub item: usize,
     /// The last element in front of it.
     pub last: XId,
     pub numbers: Numbers,
     pub lengths: Lengths,
-    pub state: Passing,
-    /// Whether the document is complete since the mark before.
+    pub state: Around,
+    /// Whether the document is complete since the checkpoint before.
     pub is_complete: bool,
     /// Names were asked for that nobody had defined: who defines them later has to know.
     pub has_undefined: bool,
@@ -41,7 +41,7 @@ pub(super) struct Mark {
     pub glob_entries: usize,
 }
 
-/// What there is of everything that something refers to by number: behind a mark, items give the same only if these are the same.
+/// What there is of everything that something refers to by number: behind a checkpoint, items give the same only if these are the same.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Numbers {
     pub frames: usize,
@@ -74,9 +74,9 @@ pub(super) struct Lengths {
     pub spent: (u64, u64),
 }
 
-/// What else the items behind a mark depend on.
+/// What else the items behind a checkpoint depend on.
 #[derive(Clone, Debug)]
-pub(super) struct Passing {
+pub(super) struct Around {
     pub gaps: Gaps,
     pub eval_comments: bool,
     /// Whether the marker of comments stands behind the last element.
@@ -89,9 +89,9 @@ pub(super) struct Passing {
 
 /// What the next expansion of the same root goes on from.
 #[derive(Debug)]
-pub(super) struct Passed {
+pub(super) struct ResumeState {
     /// In order.
-    pub marks: Vec<Mark>,
+    pub checkpoints: Vec<Checkpoint>,
     pub changes: Vec<Change>,
     /// How often something changed at the end in a way that cannot be taken back, and in place.
     pub unclear: usize,
@@ -109,7 +109,7 @@ pub(super) struct Passed {
 }
 
 impl Lengths {
-    /// How long the lists are when what lies between two marks is added.
+    /// How long the lists are when what lies between two checkpoints is added.
     pub fn and_between(self, from: &Self, to: &Self) -> Self {
         Self {
             evaluations: self.evaluations + to.evaluations - from.evaluations,
@@ -133,8 +133,8 @@ impl Lengths {
 
 /// The last expansion, while items of its root are left out.
 #[derive(Clone)]
-pub(super) struct Resumed {
-    /// The mark that it goes on from.
+pub(super) struct Resumption {
+    /// The checkpoint that it goes on from.
     pub from: usize,
     /// The items that are other ones.
     pub changed: Range<usize>,
@@ -142,13 +142,13 @@ pub(super) struct Resumed {
     pub is_current: bool,
 }
 
-/// What of the marks and the macro calls was taken over from the last expansion, and has the numbers of its nodes.
+/// What of the checkpoints and the macro calls was taken over from the last expansion, and has the numbers of its nodes.
 #[derive(Default)]
-pub(super) struct Rest {
-    /// How many marks and calls from the front.
+pub(super) struct TakenOver {
+    /// How many checkpoints and calls from the front.
     pub front: (usize, usize),
     /// Those behind the items that are other ones.
-    pub marks: Range<usize>,
+    pub checkpoints: Range<usize>,
     pub steps: Range<usize>,
     /// The last element in front of these items: as it was numbered there, and in the tree that grows.
     pub last: Option<(XId, XId)>,

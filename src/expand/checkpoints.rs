@@ -1,6 +1,6 @@
-//! Putting marks between the items of a root: see [`Mark`].
+//! Putting checkpoints between the items of a root: see [`Checkpoint`].
+use super::checkpoint::{Around, Checkpoint, Lengths, Numbers, ResumeState};
 use super::expander::Expander;
-use super::marks::{Lengths, Mark, Numbers, Passed, Passing};
 use super::node::{XId, XKind};
 use super::params::is_space;
 use super::scope::Scopes;
@@ -8,31 +8,32 @@ use super::tag::SiblingState;
 use expr::ScopeId;
 
 impl Expander<'_> {
-    /// Items between marks: what a mark takes is more than most items cost, and less than so many.
+    /// Items between checkpoints: what a checkpoint takes is more than most items cost, and less than so many.
     const STRIDE: usize = if cfg!(test) { 1 } else { 8 };
 
     /// Whether these are the items of the root.
-    pub(super) fn is_marked(&self, siblings: &SiblingState) -> bool {
+    pub(super) fn has_checkpoints(&self, siblings: &SiblingState) -> bool {
         self.steps.keeps
             && self.files.open.len() == 1
             && self.result.tree.parent(siblings.out) == Some(XId::DOCUMENT)
             && !self.steps.journal.is_lost
     }
 
-    /// Put a mark in front of an item where one belongs and where one is possible.
-    pub(super) fn put_mark(&mut self, item: usize, siblings: &SiblingState) {
-        let is_known = (self.steps.marks.last()).is_some_and(|mark| mark.item >= item);
+    /// Put a checkpoint in front of an item where one belongs and where one is possible.
+    pub(super) fn add_checkpoint(&mut self, item: usize, siblings: &SiblingState) {
+        let is_known =
+            (self.steps.checkpoints.last()).is_some_and(|checkpoint| checkpoint.item >= item);
         if item == 0 || !item.is_multiple_of(Self::STRIDE) || is_known || self.flow.stopped {
             return;
         }
-        if let Some(mark) = self.mark(item, siblings) {
+        if let Some(checkpoint) = self.checkpoint(item, siblings) {
             self.result.complete = true;
-            self.steps.marks.push(mark);
+            self.steps.checkpoints.push(checkpoint);
         }
     }
 
     /// How everything stands in front of an item; none where what follows may still change what is there.
-    pub(super) fn mark(&self, item: usize, siblings: &SiblingState) -> Option<Mark> {
+    pub(super) fn checkpoint(&self, item: usize, siblings: &SiblingState) -> Option<Checkpoint> {
         let (last, has_marker) = self.last_element(siblings.out)?;
         let tree = &self.result.tree;
         if !has_marker
@@ -44,14 +45,14 @@ impl Expander<'_> {
         if tree.has_set_prefixes() {
             return None;
         }
-        let state = Passing {
+        let state = Around {
             gaps: self.gaps,
             eval_comments: siblings.eval_comments,
             has_marker,
             evaluated: self.names.scopes.get(Scopes::TOP).evaluated,
             attrs: tree.get(siblings.out).attrs.clone(),
         };
-        Some(Mark {
+        Some(Checkpoint {
             item,
             last,
             numbers: self.numbers(),
@@ -143,14 +144,14 @@ impl Expander<'_> {
     }
 
     /// What the next expansion may go on from; none when the root says things that cannot be put back.
-    pub(super) fn passed(&mut self) -> Option<Passed> {
+    pub(super) fn resume_state(&mut self) -> Option<ResumeState> {
         if self.steps.journal.is_lost || self.flow.stopped || !self.files.broken.is_empty() {
             return None;
         }
         let lengths = self.lengths();
         let steps = &mut self.steps;
-        Some(Passed {
-            marks: std::mem::take(&mut steps.marks),
+        Some(ResumeState {
+            checkpoints: std::mem::take(&mut steps.checkpoints),
             changes: std::mem::take(&mut steps.journal.changes),
             unclear: lengths.unclear,
             in_place: expr::changes_in_place(),
