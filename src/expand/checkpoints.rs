@@ -8,8 +8,9 @@ use super::tag::SiblingState;
 use expr::ScopeId;
 
 impl Expander<'_> {
-    /// Items between checkpoints: what a checkpoint takes is more than most items cost, and less than so many.
-    const STRIDE: usize = if cfg!(test) { 1 } else { 8 };
+    /// Items and nodes between checkpoints: what a checkpoint takes is more than most items cost, and less than so many.
+    const ITEMS: usize = if cfg!(test) { 1 } else { 8 };
+    const NODES: usize = 100;
 
     /// Whether these are the items of the root.
     pub(super) fn has_checkpoints(&self, siblings: &SiblingState) -> bool {
@@ -19,11 +20,13 @@ impl Expander<'_> {
             && !self.steps.journal.is_lost
     }
 
-    /// Put a checkpoint in front of an item where one belongs and where one is possible.
+    /// Put a checkpoint in front of an item, where the last one is far away and one is possible.
     pub(super) fn add_checkpoint(&mut self, item: usize, siblings: &SiblingState) {
-        let is_known =
-            (self.steps.checkpoints.last()).is_some_and(|checkpoint| checkpoint.item >= item);
-        if item == 0 || !item.is_multiple_of(Self::STRIDE) || is_known || self.flow.stopped {
+        let last = self.steps.checkpoints.last();
+        let (items, nodes) = last.map_or((0, 0), |last| (last.item, last.lengths.nodes));
+        let is_far =
+            item >= items + Self::ITEMS || item > items && self.nodes_made() >= nodes + Self::NODES;
+        if !is_far || self.flow.stopped {
             return;
         }
         if let Some(checkpoint) = self.checkpoint(item, siblings) {
