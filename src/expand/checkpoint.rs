@@ -22,8 +22,8 @@ use expr::ScopeId;
 pub(super) struct Checkpoint {
     /// The item behind it, counted from the first below the root element.
     pub item: usize,
-    /// The last element in front of it.
-    pub last: XId,
+    /// The last element or comment in front of it, below the root element.
+    pub last: Option<XId>,
     pub numbers: Numbers,
     pub lengths: Lengths,
     pub state: Around,
@@ -59,6 +59,8 @@ pub(super) struct Numbers {
 pub(super) struct Lengths {
     pub evaluations: usize,
     pub uses: usize,
+    /// Definitions that turned out to be conditional.
+    pub conditional: usize,
     pub record: usize,
     pub messages: usize,
     pub includes: usize,
@@ -79,7 +81,9 @@ pub(super) struct Lengths {
 pub(super) struct Around {
     pub gaps: Gaps,
     pub eval_comments: bool,
-    /// Whether the marker of comments stands behind the last element.
+    /// Whether the root element has no content yet, not even blank text.
+    pub is_empty: bool,
+    /// Whether the marker of comments stands behind the last element or comment.
     pub has_marker: bool,
     /// See [`PropertyScope::evaluated`], of the document.
     pub evaluated: Option<usize>,
@@ -114,6 +118,7 @@ impl Lengths {
         Self {
             evaluations: self.evaluations + to.evaluations - from.evaluations,
             uses: self.uses + to.uses - from.uses,
+            conditional: self.conditional + to.conditional - from.conditional,
             record: self.record + to.record - from.record,
             messages: self.messages + to.messages - from.messages,
             includes: self.includes + to.includes - from.includes,
@@ -150,8 +155,8 @@ pub(super) struct TakenOver {
     /// Those behind the items that are other ones.
     pub checkpoints: Range<usize>,
     pub steps: Range<usize>,
-    /// The last element in front of these items: as it was numbered there, and in the tree that grows.
-    pub last: Option<(XId, XId)>,
-    /// The last of their elements as it was numbered there, and the one that stands for them in the tree that grows.
+    /// The last element or comment in front of these items: as it was numbered there, and in the tree that grows.
+    pub last: Option<(Option<XId>, Option<XId>)>,
+    /// The last of their elements and comments as it was numbered there, and the one that stands for them in the tree that grows.
     pub kept: Option<(XId, XId)>,
 }

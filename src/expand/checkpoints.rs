@@ -1,5 +1,6 @@
 //! Putting checkpoints between the items of a root: see [`Checkpoint`].
 use super::checkpoint::{Around, Checkpoint, Lengths, Numbers, ResumeState};
+use super::comments::is_thin_blank;
 use super::expander::Expander;
 use super::node::{XId, XKind};
 use super::params::is_space;
@@ -23,9 +24,10 @@ impl Expander<'_> {
     /// Put a checkpoint in front of an item, where the last one is far away and one is possible.
     pub(super) fn add_checkpoint(&mut self, item: usize, siblings: &SiblingState) {
         let last = self.steps.checkpoints.last();
-        let (items, nodes) = last.map_or((0, 0), |last| (last.item, last.lengths.nodes));
-        let is_far =
-            item >= items + Self::ITEMS || item > items && self.nodes_made() >= nodes + Self::NODES;
+        let is_far = last.is_none_or(|last| {
+            let nodes = last.lengths.nodes + Self::NODES;
+            item >= last.item + Self::ITEMS || item > last.item && self.nodes_made() >= nodes
+        });
         if !is_far || self.flow.stopped {
             return;
         }
@@ -37,7 +39,7 @@ impl Expander<'_> {
 
     /// How everything stands in front of an item; none where what follows may still change what is there.
     pub(super) fn checkpoint(&self, item: usize, siblings: &SiblingState) -> Option<Checkpoint> {
-        let (last, has_marker) = self.last_element(siblings.out)?;
+        let (last, has_marker) = self.last_fixed(siblings.out)?;
         let tree = &self.result.tree;
         if !has_marker
             && tree.parent(self.marker).is_some()
@@ -51,6 +53,7 @@ impl Expander<'_> {
         let state = Around {
             gaps: self.gaps,
             eval_comments: siblings.eval_comments,
+            is_empty: tree.first_child(siblings.out).is_none(),
             has_marker,
             evaluated: self.names.scopes.get(Scopes::TOP).evaluated,
             attrs: tree.get(siblings.out).attrs.clone(),
@@ -70,23 +73,27 @@ impl Expander<'_> {
         })
     }
 
-    /// The last element, and whether the marker stands behind it; none when there is a comment or text behind it.
-    fn last_element(&self, out: XId) -> Option<(XId, bool)> {
+    /// The last element or comment, and whether the marker stands behind it; none when what comes later may remove it, or when there is
+    /// text behind it.
+    fn last_fixed(&self, out: XId) -> Option<(Option<XId>, bool)> {
         let tree = &self.result.tree;
-        let mut has_marker = false;
+        let (mut has_marker, mut is_fixed) = (false, false);
         let mut last = tree.last_child(out);
         while let Some(id) = last {
             let node = tree.get(id);
-            if node.kind == XKind::Element {
-                return Some((id, has_marker));
+            match node.kind {
+                XKind::Element => return Some((Some(id), has_marker)),
+                // an empty line stays, and with it the comments in front of it
+                XKind::Comment if is_fixed => return Some((Some(id), has_marker)),
+                XKind::Text if id == self.marker => has_marker = true,
+                XKind::Text if node.text.chars().all(is_space) => {
+                    is_fixed |= !is_thin_blank(&node.text);
+                }
+                _ => return None,
             }
-            if node.kind != XKind::Text || !node.text.chars().all(is_space) {
-                return None;
-            }
-            has_marker |= id == self.marker;
             last = tree.prev_sibling(id);
         }
-        None
+        Some((None, has_marker))
     }
 
     pub(super) fn numbers(&self) -> Numbers {
@@ -109,12 +116,13 @@ impl Expander<'_> {
         Lengths {
             evaluations: result.index.evaluations.len(),
             uses: symbols.uses.len(),
+            conditional: symbols.made_conditional.len(),
             record: result.record.len(),
             messages: result.messages.len(),
             includes: result.includes.len(),
             problems: self.problems.list.len(),
             changes: journal.changes.len(),
-            unclear: journal.unclear + symbols.changed + self.problems.changed,
+            unclear: journal.unclear + self.problems.changed,
             macros: self.probing.macros.len(),
             steps: self.steps.done.len(),
             nodes: self.nodes_made(),

@@ -45,6 +45,7 @@ impl Expander<'_> {
     }
 }
 
-fn is_thin_blank(text: &str) -> bool {
+/// Whether a text is blank and has at most one line feed.
+pub(super) fn is_thin_blank(text: &str) -> bool {
     !text.is_empty() && text.chars().all(is_space) && text.matches('\n').count() <= 1
 }

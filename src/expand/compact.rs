@@ -8,11 +8,8 @@ use base::Id;
 impl XTree {
     /// Forget nodes that are part of neither the document nor what stands in `beside`, and blank text between
     /// elements, which nothing shows. What is left lies in document order. Ids change, those in `beside` with them; answers with the
-    /// old and the new ones of the elements below the root. One that stands for others has the new one of the last of these.
-    pub(super) fn compact<'i>(
-        &mut self,
-        beside: impl Iterator<Item = &'i mut XId>,
-    ) -> Vec<(XId, XId)> {
+    /// old and the new ones of what stands below the root. One that stands for others has the new one of the last of these.
+    pub(super) fn compact<'i>(&mut self, beside: impl Iterator<Item = &'i mut XId>) -> Vec<Moved> {
         let mut kept = Finished::default();
         let document = self.take_node(XId::DOCUMENT, None, &mut kept);
         kept.old_root = self.root();
@@ -47,9 +44,16 @@ impl XTree {
                 Some(parts) => kept.add(parts),
                 None => self.take_node(id, Some(parent), kept),
             };
-            if is_element {
-                kept.note(self.parent(id), id, new);
-            }
+            let parent = self.parent(id);
+            let old = id;
+            kept.note(
+                parent,
+                Moved {
+                    old,
+                    new,
+                    is_element,
+                },
+            );
             if let Some(first) = self.first_child(id) {
                 open.push((Some(first), new, self.is_spaced(id)));
             }
@@ -62,15 +66,23 @@ impl XTree {
     }
 }
 
+/// A child of the root element, as it was numbered and as it is.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Moved {
+    pub old: XId,
+    pub new: XId,
+    pub is_element: bool,
+}
+
 /// The nodes of a finished document while they are put together.
 #[derive(Default)]
 struct Finished {
     pieces: Vec<Piece>,
     len: usize,
     root: Option<XId>,
-    /// The root element before, and the elements below it as they were numbered and as they are.
+    /// The root element before, and what stands below it.
     old_root: Option<XId>,
-    moved: Vec<(XId, XId)>,
+    moved: Vec<Moved>,
 }
 
 enum Piece {
@@ -158,12 +170,12 @@ impl Finished {
             .next()
     }
 
-    /// Note the new number of an element whose parent was another one.
-    fn note(&mut self, parent: Option<XId>, old: XId, new: XId) {
-        if parent == Some(XId::DOCUMENT) && self.old_root == Some(old) {
-            self.root = Some(new);
+    /// Note the new number of a node that had this parent.
+    fn note(&mut self, parent: Option<XId>, moved: Moved) {
+        if parent == Some(XId::DOCUMENT) && self.old_root == Some(moved.old) {
+            self.root = Some(moved.new);
         } else if self.old_root.is_some() && parent == self.old_root {
-            self.moved.push((old, new));
+            self.moved.push(moved);
         }
     }
 

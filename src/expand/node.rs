@@ -23,6 +23,11 @@ impl XId {
         Self((i64::from(self.0) + by) as u32)
     }
 
+    /// The next number.
+    pub(super) fn following(self) -> Self {
+        Self(self.0 + 1)
+    }
+
     /// What is to be added to another number for this one.
     pub(super) fn away_from(self, other: Self) -> i64 {
         i64::from(self.0) - i64::from(other.0)

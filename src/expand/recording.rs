@@ -5,6 +5,7 @@ use std::sync::Arc;
 use ecow::EcoString;
 
 use super::checkpoint::ResumeState;
+use super::compact::Moved;
 use super::expander::Expander;
 use super::expansion::Expansion;
 use super::macro_table::Macros;
@@ -297,41 +298,38 @@ impl Expander<'_> {
         }
     }
 
-    /// What the next expansion may take over, with its places in the finished document: `moved` are the elements below the root
-    /// as they were numbered and as they are now.
-    pub(super) fn memo(&mut self, moved: &[(XId, XId)], resume: Option<ResumeState>) -> Memo {
+    /// What the next expansion may take over, with its places in the finished document: `moved` is what stands below the
+    /// root element.
+    pub(super) fn memo(&mut self, moved: &[Moved], resume: Option<ResumeState>) -> Memo {
         let rest = std::mem::take(&mut self.steps.rest);
         let number = |old: XId| {
-            moved
-                .iter()
-                .find(|(known, _)| *known == old)
-                .map(|(_, new)| *new)
+            let found = moved.iter().find(|one| one.old == old);
+            found.map(|one| one.new)
         };
         let by = rest
             .kept
             .and_then(|(last, kept)| Some(number(kept)?.away_from(last)));
         let by = by.unwrap_or_default();
         let resume = resume.map(|mut resume| {
-            let mut elements = moved.iter().peekable();
+            let mut tops = moved.iter().peekable();
             for (at, checkpoint) in resume.checkpoints.iter_mut().enumerate().skip(rest.front.0) {
-                if !rest.checkpoints.contains(&at) {
+                let Some(last) = checkpoint.last else {
+                    continue;
+                };
+                checkpoint.last = if !rest.checkpoints.contains(&at) {
                     // there may be several behind the same element
-                    while elements
-                        .next_if(|(old, _)| *old != checkpoint.last)
-                        .is_some()
-                    {}
-                    checkpoint.last = elements.peek().map_or(checkpoint.last, |(_, new)| *new);
-                } else if let Some((_, here)) = rest.last.filter(|(old, _)| *old == checkpoint.last)
-                {
-                    checkpoint.last = number(here).unwrap_or(checkpoint.last);
+                    while tops.next_if(|one| one.old != last).is_some() {}
+                    tops.peek().map(|one| one.new)
+                } else if let Some((_, here)) = rest.last.filter(|(old, _)| *old == Some(last)) {
+                    here.and_then(number)
                 } else {
-                    checkpoint.last = checkpoint.last.moved(by);
-                }
+                    Some(last.moved(by))
+                };
             }
             resume
         });
         let tree = &self.result.tree;
-        let mut elements = moved.iter();
+        let mut elements = moved.iter().filter(|one| one.is_element);
         let steps = std::mem::take(&mut self.steps.done);
         let steps = steps.into_iter().enumerate().filter_map(|(at, kept)| {
             let (first, behind) = kept.content;
@@ -340,9 +338,9 @@ impl Expander<'_> {
             } else if rest.steps.contains(&at) {
                 (first.moved(by), behind.moved(by))
             } else {
-                let (_, first) = *elements.find(|(old, _)| *old == first)?;
+                let first = elements.find(|one| one.old == first)?.new;
                 let more = kept.step.elements.checked_sub(2);
-                let last = more.map_or(Some(first), |more| Some(elements.clone().nth(more)?.1));
+                let last = more.map_or(Some(first), |more| Some(elements.clone().nth(more)?.new));
                 (first, tree.behind(last?))
             };
             Some(StepResult { content, ..kept })

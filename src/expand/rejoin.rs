@@ -78,8 +78,17 @@ impl Expander<'_> {
         let is_same_file =
             |(a, b): (&FileUse, &FileUse)| Arc::ptr_eq(&a.source, &b.source) && a.name == b.name;
         state.gaps.is_same(old.gaps)
-            && (state.eval_comments, state.has_marker, state.evaluated)
-                == (old.eval_comments, old.has_marker, old.evaluated)
+            && (
+                state.eval_comments,
+                state.has_marker,
+                state.is_empty,
+                state.evaluated,
+            ) == (
+                old.eval_comments,
+                old.has_marker,
+                old.is_empty,
+                old.evaluated,
+            )
             && now.in_place == then.in_place
             && now.glob_entries == then.glob_entries
             && self.flow.is_calm()
@@ -146,10 +155,16 @@ impl Expander<'_> {
                 .filter(|used| !is_own(used.place.src))
                 .collect()
         };
-        given
-            .iter()
-            .zip(part(old.definitions.as_slice(), definitions))
-            .all(is_same)
+        let conditional = part(
+            &old.made_conditional,
+            from.lengths.conditional..then.lengths.conditional,
+        );
+        let made = from.lengths.conditional..now.lengths.conditional;
+        conditional == part(&symbols.made_conditional, made)
+            && given
+                .iter()
+                .zip(part(old.definitions.as_slice(), definitions))
+                .all(is_same)
             && foreign(part(&symbols.uses, from.lengths.uses..now.lengths.uses))
                 == foreign(part(&old.uses, from.lengths.uses..then.lengths.uses))
     }
@@ -161,7 +176,8 @@ impl Expander<'_> {
         let behind = resume.checkpoints.iter().rev();
         let mut behind = behind.take_while(|checkpoint| checkpoint.item > then.item);
         then.touched == end.touched
-            && behind.all(|checkpoint| checkpoint.is_complete)
+            && (self.is_hole_known(end, &self.problems.list)
+                || behind.all(|checkpoint| checkpoint.is_complete))
             && (then.lengths.unclear, then.in_place) == (end.lengths.unclear, end.in_place)
             && (self.names.undefined.is_empty()
                 || !changes.iter().filter_map(Change::defines).any(is_early))
@@ -217,15 +233,11 @@ impl Expander<'_> {
             .index
             .evaluations
             .extend_from(&index.evaluations, from.evaluations..to.evaluations);
-        for definition in part(
-            index.symbols.definitions.as_slice(),
-            then.numbers.definitions..end.numbers.definitions,
-        ) {
-            result.index.symbols.add(definition.clone());
-        }
-        for &used in part(&index.symbols.uses, from.uses..to.uses) {
-            result.index.symbols.add_use(used, false);
-        }
+        result.index.symbols.add_between(
+            &index.symbols,
+            (then.numbers.definitions, from.uses, from.conditional),
+            (end.numbers.definitions, to.uses, to.conditional),
+        );
         result
             .messages
             .extend_from_slice(part(&before.messages, from.messages..to.messages));
@@ -283,13 +295,13 @@ impl Expander<'_> {
     ) {
         let (tree, old) = (&mut self.result.tree, &before.tree);
         tree.detach(self.marker);
-        let range = old.behind(then.last)..old.behind(end.last);
-        let kept = tree.keep(old, (range, end.last), siblings.out);
+        let root = siblings.out;
+        let range = old.behind_top(then.last, root)..old.behind_top(end.last, root);
+        let kept = end
+            .last
+            .and_then(|last| Some((last, tree.keep(old, (range, last), root)?)));
         let rest = &mut self.steps.rest;
-        (rest.last, rest.kept) = (
-            Some((then.last, now.last)),
-            kept.map(|kept| (end.last, kept)),
-        );
+        (rest.last, rest.kept) = (Some((then.last, now.last)), kept);
         if end.state.has_marker {
             tree.append(siblings.out, self.marker);
         }

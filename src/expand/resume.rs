@@ -6,9 +6,9 @@ use std::sync::Arc;
 use super::checkpoint::{Checkpoint, ResumeState, Resumption};
 use super::expander::Expander;
 use super::expansion::Expansion;
-use super::node::XId;
-use super::origin::FileIdx;
-use super::problem::Severity;
+use super::node::{XId, XKind};
+use super::origin::{FileIdx, Origin};
+use super::problem::{Problem, Severity};
 use super::record::Read;
 use super::scope::Scopes;
 use base::Id;
@@ -38,18 +38,14 @@ impl<'w> Expander<'w> {
             return None;
         }
         let reads = self.reads_that_hold(before.expansion)?;
-        // a hole that nobody has reported is looked for at the end, in what is evaluated
-        let first_hole = resume
-            .checkpoints
-            .iter()
-            .find(|checkpoint| !checkpoint.is_complete);
-        let is_reported = |checkpoint: &Checkpoint| {
+        let is_usable_hole = |checkpoint: &Checkpoint| {
             let reported = part(&before.expansion.problems, 0..checkpoint.lengths.problems);
-            first_hole.is_none_or(|hole| checkpoint.item < hole.item)
-                || reported.iter().any(|one| one.severity == Severity::Error)
+            let (list, item) = (&resume.checkpoints, checkpoint.item);
+            let mut all = list.iter().take_while(|one| one.item <= item);
+            self.is_hole_known(checkpoint, reported) || all.all(|one| one.is_complete)
         };
         let is_usable = |checkpoint: &Checkpoint| {
-            is_reported(checkpoint)
+            is_usable_hole(checkpoint)
                 && checkpoint.item <= changed.start
                 && checkpoint.lengths.record <= reads
                 && (checkpoint.lengths.unclear, checkpoint.in_place) == (resume.unclear, now)
@@ -77,6 +73,14 @@ impl<'w> Expander<'w> {
             item: checkpoint.item,
             eval_comments: checkpoint.state.eval_comments,
         })
+    }
+
+    /// Whether nobody looks for what could not be computed when everything has been evaluated: there is a reason for it, or it was
+    /// reported.
+    pub(super) fn is_hole_known(&self, checkpoint: &Checkpoint, reported: &[Problem]) -> bool {
+        checkpoint.state.gaps.guessed
+            || !self.request.unknown_args.is_empty()
+            || reported.iter().any(|one| one.severity == Severity::Error)
     }
 
     /// The items of the root that are other ones than before; none where that does not tell all.
@@ -135,11 +139,15 @@ impl<'w> Expander<'w> {
     ) {
         let (numbers, lengths) = (&checkpoint.numbers, &checkpoint.lengths);
         let result = &mut self.result;
-        let behind = before.tree.behind(checkpoint.last);
+        let behind = before.tree.behind_top(checkpoint.last, root);
         let attrs = checkpoint.state.attrs.clone();
         result
             .tree
             .restore(&before.tree, (checkpoint.last, behind), (root, attrs));
+        if checkpoint.last.is_none() && !checkpoint.state.is_empty {
+            let blank = result.tree.add(XKind::Text, "\n".into(), Origin::NOWHERE);
+            result.tree.append(root, blank);
+        }
         self.marker = result.tree.add_marker();
         if checkpoint.state.has_marker {
             result.tree.append(root, self.marker);
@@ -178,7 +186,8 @@ impl<'w> Expander<'w> {
             .evaluations
             .extend_from(&index.evaluations, 0..lengths.evaluations);
         let symbols = &mut result.index.symbols;
-        symbols.restore(&index.symbols, numbers.definitions, lengths.uses);
+        let counts = (numbers.definitions, lengths.uses, lengths.conditional);
+        symbols.restore(&index.symbols, counts);
         result.messages = part(&before.messages, 0..lengths.messages).to_vec();
         result.includes = part(&before.includes, 0..lengths.includes).to_vec();
         self.problems.restore(

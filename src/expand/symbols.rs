@@ -2,7 +2,7 @@
 use ecow::EcoString;
 
 use super::origin::{Origin, SrcId};
-use base::{FastMap, FastSet, IdVec, TextRange};
+use base::{FastMap, FastSet, Id, IdVec, TextRange};
 
 /// A definition: index of [`Symbols::definitions`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -99,8 +99,8 @@ pub struct Symbols {
     pub quiet_uses: Vec<Use>,
     known: FastMap<(SourceRange, EcoString), DefinitionId>,
     seen: FastSet<Use>,
-    /// How often a definition that was known turned out to be conditional.
-    pub(super) changed: usize,
+    /// Definitions that were known and turned out to be conditional, in order.
+    pub(super) made_conditional: Vec<DefinitionId>,
     log: Option<SymbolLog>,
 }
 
@@ -135,14 +135,63 @@ impl Symbols {
         self.uses.iter().chain(&self.quiet_uses)
     }
 
-    /// Put back the first definitions and the first uses of others.
-    pub(super) fn restore(&mut self, others: &Self, definitions: usize, uses: usize) {
+    /// Put back what others had when they had so many definitions and uses, and so many had turned out to be conditional.
+    pub(super) fn restore(
+        &mut self,
+        others: &Self,
+        (definitions, uses, conditional): (usize, usize, usize),
+    ) {
         for (id, given) in others.definitions.iter_ids().take(definitions) {
             self.known.insert((given.place, given.name.clone()), id);
             self.definitions.push(given.clone());
         }
+        let (before, later) = others
+            .made_conditional
+            .split_at_checked(conditional)
+            .unwrap_or_default();
+        self.made_conditional.extend(before);
+        self.set_conditional(later, false);
         self.uses.extend(others.uses.iter().take(uses));
         self.seen.extend(&self.uses);
+    }
+
+    /// Add what others added from some place on up to another one: each is how many definitions, uses and conditional ones they had.
+    pub(super) fn add_between(
+        &mut self,
+        others: &Self,
+        from: (usize, usize, usize),
+        to: (usize, usize, usize),
+    ) {
+        let given = others.definitions.as_slice().get(from.0..to.0);
+        for definition in given.unwrap_or_default() {
+            let id = self.definitions.push(definition.clone());
+            let key = (definition.place, definition.name.clone());
+            self.known.insert(key, id);
+        }
+        let later = others.made_conditional.get(to.2..).unwrap_or_default();
+        let later: Vec<DefinitionId> = later
+            .iter()
+            .copied()
+            .filter(|id| (from.0..to.0).contains(&id.index()))
+            .collect();
+        self.set_conditional(&later, false);
+        let made = others
+            .made_conditional
+            .get(from.2..to.2)
+            .unwrap_or_default();
+        self.set_conditional(made, true);
+        self.made_conditional.extend(made);
+        for &used in others.uses.get(from.1..to.1).unwrap_or_default() {
+            self.add_use(used, false);
+        }
+    }
+
+    fn set_conditional(&mut self, definitions: &[DefinitionId], conditional: bool) {
+        for &id in definitions {
+            if let Some(definition) = self.definitions.get_mut(id) {
+                definition.conditional = conditional;
+            }
+        }
     }
 
     /// Make room for as many as others are.
@@ -188,10 +237,12 @@ impl Symbols {
         }
         if id == next {
             self.definitions.push(definition);
-        } else if let Some(known) = self.definitions.get_mut(id) {
-            let is_new = definition.conditional && !known.conditional;
-            self.changed += usize::from(is_new);
-            known.conditional |= definition.conditional;
+        } else if definition.conditional
+            && let Some(known) = self.definitions.get_mut(id)
+            && !known.conditional
+        {
+            known.conditional = true;
+            self.made_conditional.push(id);
         }
         id
     }

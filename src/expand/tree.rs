@@ -272,7 +272,7 @@ impl XTree {
     pub(super) fn restore(
         &mut self,
         from: &Self,
-        (last, end): (XId, XId),
+        (last, end): (Option<XId>, XId),
         (root, attrs): (XId, Attrs),
     ) -> Option<XId> {
         self.nodes.clear();
@@ -285,7 +285,7 @@ impl XTree {
         (node.first, node.last, node.next) = (XId::NIL, XId::NIL, XId::NIL);
         node.attrs = attrs;
         self.get_mut(XId::DOCUMENT).last = root;
-        self.keep(from, (XId::from_index(root.index() + 1)..end, last), root)
+        self.keep(from, (root.following()..end, last?), root)
     }
 
     /// Add children of the root element of another document, of which the last is `last`: an element stands for them while this one
@@ -346,6 +346,11 @@ impl XTree {
                 self.append(parent, id);
             }
         }
+    }
+
+    /// What lies behind a child of the root element and all that is below it, or at the beginning of its content.
+    pub(super) fn behind_top(&self, top: Option<XId>, root: XId) -> XId {
+        top.map_or(root.following(), |top| self.behind(top))
     }
 
     /// What lies behind a node of a compact tree and all that is below it.
