@@ -18,6 +18,7 @@ use super::request::{Request, Sources};
 use super::scope::Scopes;
 use super::stack::with_stack;
 use super::state::{Guards, IncludeFrame, Probing, ReadFiles, Steps};
+use super::tree::XTree;
 use base::FastMap;
 use base::clock::Instant;
 use expr::Value;
@@ -34,16 +35,24 @@ pub fn expand_again(
     request: &Request,
     before: Option<&Expansion>,
 ) -> Expansion {
-    let made = with_stack(|| Expander::new(sources, request, Before::of(before, request)).run());
+    let run = |before| with_stack(|| Expander::new(sources, request, before).run());
+    let made = run(Before::of(before, request)).or_else(|| run(None));
+    let made = made.unwrap_or_default();
     #[cfg(debug_assertions)]
     if before.is_some() && !request.cancel.is_cancelled() {
-        let fresh = with_stack(|| Expander::new(sources, request, None).run());
+        let fresh = run(None).unwrap_or_default();
         // a new edit may have cut it short
         if !request.cancel.is_cancelled() {
             super::verify::same(&made, &fresh);
         }
     }
     made
+}
+
+/// Whether the root element has an element: blank text in it means nothing then.
+pub(super) fn has_elements(tree: &XTree) -> bool {
+    tree.root()
+        .is_some_and(|root| tree.elements(root).next().is_some())
 }
 
 /// How to raise a limit of the configuration.
@@ -107,9 +116,14 @@ impl<'w> Expander<'w> {
         }
     }
 
-    fn run(mut self) -> Expansion {
+    /// None when items were left out of which more is needed than was kept.
+    fn run(mut self) -> Option<Expansion> {
         self.bind_arguments();
         self.expand_root();
+        if self.steps.left_out > 0 && !has_elements(&self.result.tree) {
+            // blank text between its items is part of such a document
+            return None;
+        }
         self.result.complete &= self.steps.checkpoints.iter().all(|one| one.is_complete);
         self.keep_open_scopes();
         self.admit_unknown();
@@ -142,7 +156,7 @@ impl<'w> Expander<'w> {
         if self.request.last {
             std::mem::forget(self);
         }
-        result
+        Some(result)
     }
 
     fn argument_values(&self) -> Vec<(EcoString, EcoString)> {

@@ -273,6 +273,37 @@ fn items_are_left_out_that_an_edit_does_not_reach() {
 }
 
 #[test]
+fn blank_text_of_a_file_without_elements_is_kept() {
+    const MACROS: &str = r#"<robot xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:property name="a" value="1"/>
+
+  <xacro:macro name="one" params=""><link name="one"/></xacro:macro>
+  <xacro:property name="b" value="2"/>
+  <link name="only"/>
+  <xacro:macro name="two" params=""><link name="two"/></xacro:macro>
+</robot>
+"#;
+    let mut session = Session::new();
+    session.set(0, MACROS);
+    session.expand();
+    for (old, new) in [
+        ("value=\"2\"", "value=\"3\""),
+        (
+            "<link name=\"only\"/>",
+            "<xacro:property name=\"c\" value=\"4\"/>",
+        ),
+        ("value=\"3\"", "value=\"5\""),
+        (
+            "<xacro:property name=\"c\" value=\"4\"/>",
+            "<link name=\"only\"/>",
+        ),
+    ] {
+        session.change(old, new);
+        session.expand();
+    }
+}
+
+#[test]
 fn an_expansion_after_random_edits_is_one_from_scratch() {
     let edits = std::env::var("XACRO_EDITS")
         .ok()

@@ -4,7 +4,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use super::checkpoint::{Checkpoint, ResumeState, Resumption};
-use super::expander::Expander;
+use super::expander::{Expander, has_elements};
 use super::expansion::Expansion;
 use super::node::{XId, XKind};
 use super::origin::{FileIdx, Origin};
@@ -34,6 +34,7 @@ impl<'w> Expander<'w> {
         if resume.in_place != now
             || !self.has_same_packages(resume)
             || !self.problems.list.is_empty()
+            || !has_elements(&before.expansion.tree)
         {
             return None;
         }

@@ -48,7 +48,11 @@ pub(super) fn entries(node: &YamlNode) -> impl Iterator<Item = (SpannedName, &Ya
 
 /// The value of a key; of several, the last.
 pub(super) fn get<'n>(node: &'n YamlNode, key: &str) -> Option<&'n YamlNode> {
-    let found = entries(node).filter(|(name, _)| name.name == key).last();
+    let YamlKind::Map(entries) = &node.kind else {
+        return None;
+    };
+    let is_key = |name: &YamlNode| matches!(&name.kind, YamlKind::Str(text) if text == key);
+    let found = entries.iter().rev().find(|(name, _)| is_key(name));
     found.map(|(_, value)| value)
 }
 
