@@ -47,15 +47,10 @@ impl Expander<'_> {
             return None;
         }
         let checkpoints = resume.checkpoints.get(at..)?;
+        let steps = then.lengths.steps..end.lengths.steps;
+        let steps = before.memo.steps.get(steps)?;
         self.add_between(before.expansion, resume, &now, (then, end), siblings);
-        self.add_calls(
-            before
-                .memo
-                .steps
-                .get(then.lengths.steps..end.lengths.steps)?,
-            &now,
-            then,
-        );
+        self.add_calls(steps, &now, then);
         self.add_checkpoints(&now, checkpoints);
         siblings.eval_comments = end.state.eval_comments;
         self.steps.resumed = None;

@@ -46,21 +46,22 @@ impl<'w> Expander<'w> {
             self.is_hole_known(checkpoint, reported) || all.all(|one| one.is_complete)
         };
         let is_usable = |checkpoint: &Checkpoint| {
-            is_usable_hole(checkpoint)
-                && checkpoint.item <= changed.start
+            checkpoint.item <= changed.start
                 && checkpoint.lengths.record <= reads
                 && (checkpoint.lengths.unclear, checkpoint.in_place) == (resume.unclear, now)
                 && !checkpoint.has_undefined
+                && is_usable_hole(checkpoint)
         };
         let from = resume.checkpoints.iter().rposition(is_usable)?;
         let checkpoint = resume.checkpoints.get(from)?;
         let root = before.expansion.tree.root()?;
+        let checkpoints = resume.checkpoints.get(..=from)?;
+        let steps = before.memo.steps.get(..checkpoint.lengths.steps)?;
         self.restore(before.expansion, resume, checkpoint, root);
-        self.steps.checkpoints = resume.checkpoints.get(..=from)?.to_vec();
+        self.steps.checkpoints = checkpoints.to_vec();
         self.steps.taken_over = checkpoint.lengths.steps;
         self.steps.left_out = checkpoint.item;
         self.steps.rest.front = (from + 1, checkpoint.lengths.steps);
-        let steps = before.memo.steps.get(..checkpoint.lengths.steps)?;
         self.steps.done = steps.to_vec();
         self.steps.resumed = Some(Resumption {
             from,
