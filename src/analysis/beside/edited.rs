@@ -1,6 +1,7 @@
 //! Files beside robots in an editor.
 use std::path::{Path, PathBuf};
 
+use super::super::graph::gives_robot;
 use super::super::host::AnalysisHost;
 use super::super::root_config::RootConfig;
 use super::super::session::Session;
@@ -29,6 +30,9 @@ impl Session {
             let parts = parts_where(&file.document, |marks| marks.parameters);
             let named = parts.flat_map(|(_, item)| item.text().split("<parameters>").skip(1));
             said.extend(named.filter_map(|rest| Some(rest.split_once('<')?.0.to_owned())));
+            said.push(gives_robot(&file.document).to_string());
+            let parts = parts_where(&file.document, |marks| marks.include);
+            said.extend(parts.map(|(_, item)| item.text().to_owned()));
         }
         said
     }
@@ -126,5 +130,52 @@ impl AnalysisHost {
             .take(MOST)
             .map(|file| RootConfig::plain(file))
             .collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::PathBuf;
+
+    use super::AnalysisHost;
+    use base::TextRange;
+    use vfs::testing::Tree;
+
+    #[test]
+    fn an_edited_include_decides_for_which_robots_a_file_is() {
+        let tree = Tree::new();
+        let robot = |name: &str, part: &str| {
+            format!(
+                "<robot name='{name}' xmlns:xacro='http://www.ros.org/wiki/xacro'><link name='base'/><xacro:include filename='{part}'/></robot>"
+            )
+        };
+        let plugin = "<robot><gazebo><plugin name='c' filename='libc.so'><parameters>$(find arm)/config/c.yaml</parameters></plugin></gazebo></robot>";
+        tree.write("package.xml", "<package><name>arm</name></package>");
+        tree.write("config/c.yaml", "go:\n  joints: [lift]\n");
+        tree.write("urdf/simulated.xacro", plugin);
+        tree.write("urdf/a.urdf.xacro", &robot("a", "simulated.xacro"));
+        tree.write("urdf/b.urdf.xacro", &robot("b", "other.xacro"));
+        let mut host = AnalysisHost::new(tree.environment(&[]), vec![tree.root().to_owned()]);
+        let robots = |host: &AnalysisHost| -> Vec<PathBuf> {
+            let all = host.robots_beside(&tree.path("config/c.yaml"));
+            all.into_iter().map(|root| root.file).collect()
+        };
+        let path = tree.path("urdf/b.urdf.xacro");
+        host.set_text(&path, robot("b", "other.xacro"));
+        let replace = |host: &mut AnalysisHost, old: &str, new: &str| {
+            let text = host.document(&path).unwrap().document.text();
+            let at = text.find(old).unwrap();
+            let range = TextRange::new(at as u32, (at + old.len()) as u32);
+            host.edit(&path, range, new);
+        };
+        let both = ["a", "b"].map(|name| tree.path(&format!("urdf/{name}.urdf.xacro")));
+        assert_eq!(robots(&host), both[..1]);
+        replace(&mut host, "other", "simulated");
+        assert_eq!(robots(&host), both);
+        // without its name it is no robot
+        replace(&mut host, " name='b'", "");
+        assert_eq!(robots(&host), both[..1]);
+        replace(&mut host, "<robot", "<robot name='b'");
+        assert_eq!(robots(&host), both);
     }
 }

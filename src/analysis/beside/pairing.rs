@@ -3,15 +3,16 @@
 //! First counts what another file says: the setup assistant of MoveIt, the `<parameters>` of a plugin, a launch file that
 //! names both. Else a robot of the same name is meant, in the same package before others; then most of the names have to
 //! fit. From likeness alone nothing is concluded.
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::super::graph::gives_robot;
-use super::super::includes::reach;
 use super::super::root_config::RootConfig;
 use super::super::session::Session;
 use super::files::{Sort, sort};
 use super::paired::{MOST_ROBOTS, Pairing};
+use base::FastSet;
 use facts::{Fact, FactKind, facts_of, parts_where};
 use workspace::{RobotCall, has_name};
 
@@ -68,7 +69,7 @@ impl Session {
         };
         let loads = |file: &PathBuf| {
             let text = self.vfs.text(file);
-            text.is_ok_and(|text| has_name(&text.text, name) && !text.text.contains("<parameters>"))
+            text.is_ok_and(|text| has_name(&text.text, name)) && !self.has_parameters(file)
         };
         if self.is_for_manager(path) {
             return false;
@@ -143,11 +144,9 @@ impl Session {
         // a file for a controller manager is nothing else to a robot than parameters of its plugin
         let is_for_manager = self.is_for_manager(path);
         let says = |file: &&PathBuf| {
-            let text = self.vfs.text(file).ok();
-            text.is_some_and(|text| {
-                let is_given = text.text.contains("<parameters>") || is_for_manager;
+            self.vfs.text(file).is_ok_and(|text| {
                 has_name(&text.text, name)
-                    && is_given
+                    && (is_for_manager || self.has_parameters(file))
                     && (!with_folder || has_folder(&text.text, path))
                     && self.may_mean(file, path)
             })
@@ -156,6 +155,14 @@ impl Session {
         let naming = all.iter().filter(says).take(MOST_ROBOTS);
         let roots = naming.flat_map(|file| self.roots_reading(file));
         Pairing::named(roots.flat_map(|root| self.ways_of(&root)).collect())
+    }
+
+    /// Whether a description names a file of parameters for a plugin.
+    fn has_parameters(&self, file: &Path) -> bool {
+        self.vfs.document(file).is_ok_and(|source| {
+            let mut parts = parts_where(&source.document, |marks| marks.parameters);
+            parts.next().is_some()
+        })
     }
 
     /// Whether a text that names a file without its folder may mean this one: it lies in the same package, or the text
@@ -382,26 +389,18 @@ impl Session {
                 .any(|(_, item)| facts_of(item).named.iter().any(includes))
     }
 
-    /// The robots that include a description, or are it.
+    /// The robots that include a description, or are it: the nearest first, those of one distance by path.
     fn roots_reading(&self, file: &Path) -> Vec<PathBuf> {
         const MOST_LEVELS: usize = 6;
-        let around = self.callers.descriptions(file);
-        let all = around.iter().filter_map(|other| {
-            let source = self.vfs.document(other).ok()?;
-            Some((other, reach(&source, &self.packages)))
-        });
-        let all: Vec<_> = all.collect();
         let mut reading = vec![file.to_owned()];
+        let mut begin = 0;
         for _ in 0..MOST_LEVELS {
-            let before = reading.len();
-            for (other, may_include) in &all {
-                if !reading.contains(other) && reading.iter().any(|known| may_include.has(known)) {
-                    reading.push((*other).clone());
-                }
-            }
-            if reading.len() == before {
-                break;
-            }
+            let last = reading.get(begin..).unwrap_or_default();
+            let above: BTreeSet<PathBuf> =
+                last.iter().flat_map(|file| self.includers(file)).collect();
+            begin = reading.len();
+            let known: FastSet<PathBuf> = reading.iter().cloned().collect();
+            reading.extend(above.into_iter().filter(|file| !known.contains(file)));
         }
         reading.retain(|file| self.is_robot(file) || self.collects(file));
         reading

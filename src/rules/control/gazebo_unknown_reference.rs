@@ -9,8 +9,10 @@ use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, pa
 use super::super::sink::Sink;
 use base::FastSet;
 use facts::{Fact, FactKind, facts};
+use memchr::memmem::Finder;
 use model::Gazebo;
 use packages::nearest;
+use xml::{Node, NodeKind};
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "CTL014",
@@ -126,28 +128,20 @@ fn is_written(cx: &RobotCx<'_>, name: &str) -> bool {
 /// Whether a comment in these texts holds a link or joint of that name: it was taken out on purpose, and what is left over
 /// does nothing.
 fn is_commented_out(cx: &RobotCx<'_>, name: &str) -> bool {
-    let tags = ["<link", "<joint"].map(|tag| {
-        [
-            format!("{tag} name=\"{name}\""),
-            format!("{tag} name='{name}'"),
-        ]
-    });
-    let holds = |comment: &str| {
-        tags.iter()
-            .flatten()
-            .any(|tag| comment.contains(tag.as_str()))
-    };
-    let mut texts = cx
+    let quoted = |quote: char| format!("{quote}{name}{quote}");
+    let tags = ["<link name=", "<joint name="].into_iter();
+    let tags = tags.flat_map(|tag| ['"', '\''].map(|quote| format!("{tag}{}", quoted(quote))));
+    let tags: Vec<Finder<'_>> = tags.map(|tag| Finder::new(&tag).into_owned()).collect();
+    let holds = |text: &str| tags.iter().any(|tag| tag.find(text.as_bytes()).is_some());
+    let is_comment = |node: &Node<'_>| node.kind() == NodeKind::Comment;
+    let mut items = cx
         .expansion
         .files
         .iter()
-        .map(|file| file.source.document.text());
-    texts.any(|text| {
-        let comments = text
-            .split("<!--")
-            .skip(1)
-            .filter_map(|rest| rest.split("-->").next());
-        comments.into_iter().any(holds)
+        .flat_map(|file| file.source.document.parts());
+    items.any(|(_, item)| {
+        let mut comments = item.all_nodes().filter(is_comment);
+        holds(item.text()) && comments.any(|comment| holds(comment.raw()))
     })
 }
 

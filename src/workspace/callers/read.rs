@@ -207,12 +207,12 @@ fn first_len(text: &str) -> usize {
 
 /// Whether a text holds a name by itself, not as a part of another.
 pub fn has_name(text: &str, name: &str) -> bool {
-    text.match_indices(name).any(|(at, _)| {
-        let (before, after) = text.split_at(at);
-        !before.ends_with(is_name)
-            && !after
-                .get(name.len()..)
-                .is_some_and(|rest| rest.starts_with(is_name))
+    let mut found = memchr::memmem::find_iter(text.as_bytes(), name.as_bytes());
+    found.any(|at| {
+        text.split_at_checked(at).is_some_and(|(before, after)| {
+            let rest = after.get(name.len()..).unwrap_or("");
+            !before.ends_with(is_name) && !rest.starts_with(is_name)
+        })
     })
 }
 
