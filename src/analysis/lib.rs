@@ -80,6 +80,8 @@ mod set_aside_tests;
 #[cfg(test)]
 mod unused_parts_tests;
 #[cfg(test)]
+mod unused_settings_tests;
+#[cfg(test)]
 mod unused_tests;
 #[cfg(test)]
 mod used_names_tests;

@@ -66,8 +66,8 @@ fn plugin(session: &Session, file: &Path, expansion: &Expansion) -> Option<YamlR
         let library = tree.attr(id, "filename")?;
         (library.value == PLUGIN && tree.get(id).text == "plugin").then_some(library)
     })?;
-    // what Foxy and Galactic call active
-    let is_older = ["--set-state start", "'start'", "\"start\""];
+    // what Foxy and Galactic call active, and their program that starts controllers
+    let is_older = ["--set-state start", "'start'", "\"start\"", "spawner.py"];
     let mut leave_it = ["<!--"].into_iter().chain(is_older);
     if leave_it.any(|text| session.callers.quote(file, text)) {
         return None;

@@ -305,13 +305,18 @@ impl Session {
 
 /// Whether a finding may be false in a file that is not expanded by itself, or with other arguments.
 fn depends_on_role(finding: &Finding) -> bool {
-    finding.outside.is_some() || needs_names(finding.rule)
+    // the file that includes a part says the name
+    let is_of_whole = finding.rule == named::MISSING_ROBOT_NAME;
+    finding.outside.is_some() || needs_names(finding.rule) || is_of_whole
 }
 
 fn verdict(role: Role, finding: &Finding) -> FindingAction {
     let is_misspelled = finding.fix.is_some() && !finding.probed;
     match (&finding.outside, role) {
         (None, _) if !depends_on_role(finding) => FindingAction::Keep,
+        (None, Role::Root | Role::Unknown) if finding.rule == named::MISSING_ROBOT_NAME => {
+            FindingAction::Keep
+        }
         (Some(Outside::File), _) => FindingAction::Keep,
         (Some(Outside::Environment), _) => FindingAction::Note,
         (_, Role::Part) => FindingAction::Drop,

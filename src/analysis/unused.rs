@@ -91,7 +91,10 @@ impl Session {
             let is_about_controller = finding.rule.has(Trait::Controller)
                 || finding.rule == named::CONTROLLER_WITHOUT_PARAMETERS;
             let is_idle = if is_about_controller {
-                self.is_never_started(&file, finding)
+                self.is_never_started(&file, finding) || self.is_without_hardware(&file)
+            } else if finding.rule == named::KINEMATICS_UNKNOWN_GROUP {
+                // MoveIt finds no file of another name by itself
+                !file.ends_with("kinematics.yaml") && self.callers.leave_yaml_alone(&file)
             } else if finding.rule == named::MOVEIT_UNKNOWN_CONTROLLER {
                 self.is_listed_elsewhere(&file, finding)
             } else {
@@ -155,6 +158,17 @@ impl Session {
                 .controllers
                 .iter()
                 .any(|other| self.any_says(&starters, &other.name.name))
+    }
+
+    /// Whether nothing loads settings for ROS 2, and no description of their package has hardware for controllers.
+    fn is_without_hardware(&self, file: &Path) -> bool {
+        let package = self.packages.containing(file).map(|package| package.folder);
+        let Some(folder) = package.filter(|_| self.packages.is_for_ament(file)) else {
+            return false;
+        };
+        let all = self.callers.descriptions(file);
+        let mut own = all.iter().filter(|other| other.starts_with(&folder));
+        self.callers.leave_yaml_alone(file) && !own.any(|robot| self.says(robot, "ros2_control"))
     }
 
     fn any_says(&self, files: &[PathBuf], name: &str) -> bool {

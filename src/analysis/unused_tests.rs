@@ -6,7 +6,7 @@ use vfs::testing::Tree;
 const BROKEN: &str = "<robot name='r'><link name='base'><visual/></link></robot>";
 
 /// The severity of a rule in one of these files, when a folder of them is checked.
-fn severity_below(
+pub(super) fn severity_below(
     folder: &str,
     files: &[(&str, &str)],
     file: &str,
@@ -327,71 +327,8 @@ fn published_repositories_hold_what_is_released() {
     );
 }
 
-#[test]
-fn settings_that_no_text_names() {
-    let robot = "<robot name='r'><link name='base'/><joint name='wheel' type='continuous'><parent link='base'/>\
-                 <child link='w'/></joint><link name='w'/><ros2_control name='c' type='system'><hardware>\
-                 <plugin>mock_components/GenericSystem</plugin></hardware><joint name='wheel'>\
-                 <command_interface name='position'/></joint></ros2_control></robot>";
-    let settings = "controller_manager:\n  ros__parameters:\n    go:\n      type: velocity_controllers/JointGroupVelocityController\n\
-                    go:\n  ros__parameters:\n    joints:\n      - wheel\n";
-    let severity = |launch: &str| {
-        let files = [
-            (
-                "package.xml",
-                "<package><name>r</name><buildtool_depend>ament_cmake</buildtool_depend></package>",
-            ),
-            ("urdf/r.urdf", robot),
-            ("config/one.yaml", settings),
-            ("config/two.yaml", settings),
-            ("launch/r.launch.py", launch),
-        ];
-        severity_below("", &files, "two.yaml", "controller-unknown-interface")
-    };
-    assert_eq!(severity("load('r.urdf')"), Some(Severity::Error));
-    assert_eq!(severity("load('r.urdf', 'one.yaml')"), Some(Severity::Info));
-    assert_eq!(
-        severity("load('r.urdf', 'one.yaml')  # 'two.yaml'"),
-        Some(Severity::Info)
-    );
-    assert_eq!(
-        severity("load('r.urdf', 'two.yaml')"),
-        Some(Severity::Error)
-    );
-    // a file of that name in another package
-    let far = "load('r.urdf', 'one.yaml', '$(find far)/config/two.yaml')";
-    assert_eq!(severity(far), Some(Severity::Info));
-    assert_eq!(severity(&far.replace("far", "r")), Some(Severity::Error));
-}
-
-#[test]
-fn settings_without_a_manager_that_no_text_names() {
-    let robot = "<robot name='r'><link name='base'/><link name='w'/><joint name='wheel' type='continuous'><parent link='base'/>\
-                 <child link='w'/></joint></robot>";
-    let settings = "left:\n  go:\n    type: position_controllers/JointPositionController\n    joint: wheel\n\
-                    \n  turn:\n    type: position_controllers/JointPositionController\n    joint: fork\n";
-    let manager = "controller_manager:\n  ros__parameters:\n    update_rate: 50\n    show:\n      type: joint_state_broadcaster/JointStateBroadcaster\n";
-    let severity = |launch: &str| {
-        let files = [
-            ("urdf/r.urdf", robot),
-            ("config/one.yaml", manager),
-            ("config/two.yaml", settings),
-            ("launch/r.launch", launch),
-        ];
-        severity_in("controller-unknown-joint", &files)
-    };
-    let load =
-        "<param textfile='$(find r)/urdf/r.urdf'/><rosparam file='$(find r)/config/one.yaml'/>";
-    assert_eq!(severity(load), Some(Severity::Info));
-    let both = load.replace(
-        "one.yaml'/>",
-        "one.yaml'/><rosparam file='$(find r)/config/two.yaml'/>",
-    );
-    assert_eq!(severity(&both), Some(Severity::Error));
-}
-
 /// The severity of the only place of a rule in a package of these files.
-fn severity_in(rule: &str, files: &[(&str, &str)]) -> Option<Severity> {
+pub(super) fn severity_in(rule: &str, files: &[(&str, &str)]) -> Option<Severity> {
     let manifest = (
         "package.xml",
         "<package><name>r</name><buildtool_depend>catkin</buildtool_depend></package>",
@@ -588,4 +525,20 @@ fn joints_of_an_absent_package() {
     };
     assert_eq!(severity("somebodys_tool"), Some(Severity::Info));
     assert_eq!(severity("r"), Some(Severity::Error));
+}
+
+#[test]
+fn parts_need_no_name() {
+    let paint = "<robot><material name='grey'><color rgba='0.5 0.5 0.5 1'/></material></robot>";
+    let robot = |part: &str| {
+        format!(
+            "<robot name='r' xmlns:xacro='http://www.ros.org/wiki/xacro'><link name='base'/><xacro:include filename='{part}'/></robot>"
+        )
+    };
+    let severity = |robot: &str| {
+        let files = [("urdf/r.xacro", robot), ("urdf/paint.urdf", paint)];
+        severity_below("", &files, "paint.urdf", "missing-robot-name")
+    };
+    assert_eq!(severity(&robot("paint.urdf")), None);
+    assert_eq!(severity(&robot("other.urdf")), Some(Severity::Error));
 }

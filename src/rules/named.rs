@@ -9,6 +9,8 @@ use super::{
 pub const GAZEBO_UNKNOWN_REFERENCE: &Rule = &control::gazebo_unknown_reference::RULE;
 /// `controller-without-parameters`
 pub const CONTROLLER_WITHOUT_PARAMETERS: &Rule = &control::controller_without_parameters::RULE;
+/// `kinematics-unknown-group`
+pub const KINEMATICS_UNKNOWN_GROUP: &Rule = &moveit::kinematics_unknown_group::RULE;
 /// `moveit-unknown-controller`
 pub const MOVEIT_UNKNOWN_CONTROLLER: &Rule = &moveit::moveit_unknown_controller::RULE;
 /// `srdf-unknown-link`

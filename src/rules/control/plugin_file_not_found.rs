@@ -24,11 +24,20 @@ pub(super) static RULE: Rule = Rule {
 /// Endings of files that plugins read; others may be written by them.
 const READ: [&str; 4] = [".yaml", ".yml", ".xml", ".srdf"];
 
+/// Where the files of one person are. Others, such as those of an installation, may be on the computer that runs the robot.
+const HOMES: [&str; 3] = ["/home/", "/root/", "/Users/"];
+
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for element in parameters(cx) {
         let Some(text) = AttrValue::content(&cx.expansion.tree, element) else {
             continue;
         };
+        if let Some(path) = of_somebody(cx, &text) {
+            out.report(text.origin, format!("file `{path}` not found"))
+                .help(portable(cx, path))
+                .done();
+            continue;
+        }
         let Some((package, path)) = missing(cx, &text) else {
             continue;
         };
@@ -61,6 +70,30 @@ fn parameters(cx: &DocumentCx<'_>) -> Vec<XId> {
         }
     }
     found
+}
+
+/// A file in the home folder of a person that a text names and that is not there.
+fn of_somebody<'t>(cx: &DocumentCx<'_>, text: &'t AttrValue) -> Option<&'t str> {
+    let path = text.name().filter(|_| text.is_literal())?.as_str();
+    let is_own = HOMES.iter().any(|home| path.starts_with(home));
+    let is_read = READ.iter().any(|ending| path.ends_with(ending));
+    (is_own && is_read && !cx.world.vfs.is_file(Path::new(path))).then_some(path)
+}
+
+/// How to write such a path for every computer: with the package that has the file, if one of the folders is called so.
+fn portable(cx: &DocumentCx<'_>, path: &str) -> String {
+    let from = cx.expansion.files.first().map(|file| &*file.source.path);
+    let found = from.and_then(|from| {
+        let mut names = path.match_indices('/');
+        names.find_map(|(at, _)| {
+            let (package, rest) = path.get(at + 1..)?.split_once('/')?;
+            let folder = cx.world.packages.find(package, from).ok()?.path;
+            let is_there = cx.world.vfs.is_file(&folder.join(rest));
+            is_there.then(|| format!("$(find {package})/{rest}"))
+        })
+    });
+    let path = found.unwrap_or_else(|| "$(find PACKAGE)/PATH".to_owned());
+    format!("write {path}; an absolute path works on one computer only")
 }
 
 /// The file that a text with `$(find package)` names, when the package is there and the file is not.

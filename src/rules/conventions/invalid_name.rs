@@ -5,6 +5,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, pa
 use super::super::sink::Sink;
 use super::super::xml::with_dollars;
 use super::names::{self, NamedElement};
+use base::FastMap;
 use model::{AttrValue, JointType};
 
 pub(in super::super) static RULE: Rule = Rule {
@@ -25,6 +26,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     }
     check_ends(cx, out);
     check_robot(cx, out);
+    let signs = signs(cx);
     for (named, name) in cx.robot.into_iter().flat_map(names::names) {
         let Some(bad) = name.value.chars().find(|&c| !is_admitted(c)) else {
             continue;
@@ -53,6 +55,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             // no controller ever names a joint that is fixed; frames may have the letters of any language
             .severity(
                 if is_fixed_joint(cx, named, &name.value)
+                    || signs.get(&bad).is_some_and(|&count| count >= SCHEME)
                     || named == NamedElement::Link && name.value.chars().all(is_letter)
                 {
                     Severity::Info
@@ -128,6 +131,22 @@ fn check_ends(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                 .done();
         }
     }
+}
+
+/// Names with the same sign that make a scheme, such as `finger[0]`: some program reads these.
+const SCHEME: usize = 4;
+
+/// How many names have each of the signs that stand for parts of something.
+fn signs(cx: &DocumentCx<'_>) -> FastMap<char, usize> {
+    let mut count = FastMap::default();
+    for (_, name) in cx.robot.into_iter().flat_map(names::names) {
+        for sign in ['[', ':', '#', '@'] {
+            if name.value.contains(sign) {
+                *count.entry(sign).or_default() += 1;
+            }
+        }
+    }
+    count
 }
 
 /// Whether the name is that of fixed joints.

@@ -7,7 +7,7 @@ use super::bodies::extent_of;
 use super::resources::MeshUse;
 use base::TextRange;
 use expand::{FileIdx, Origin};
-use model::{AttrValue, Body, Bounds, Joint, Link, Robot, tag_start};
+use model::{AttrValue, Body, Bounds, Inertial, Joint, Link, Robot, tag_start};
 
 pub(super) static RULE: Rule = Rule {
     code: "GEO007",
@@ -150,7 +150,8 @@ fn report(cx: &DocumentCx<'_>, mesh: &MeshUse<'_>, out: &mut Sink<'_>) {
     let is_object = cx.robot.is_some_and(Robot::is_rigid);
     let may_be_meant = most < extent
         && (is_object && (extent < 10.0 * most || is_ground(bounds.size()))
-            || extent < 3.0 * most && is_around(cx, mesh, extent));
+            || extent < 3.0 * most && (is_around(cx, mesh, extent) || is_heavy(mesh, extent)))
+        || is_point(mesh);
     let severity = if may_be_meant {
         Severity::Info
     } else {
@@ -178,6 +179,22 @@ fn report(cx: &DocumentCx<'_>, mesh: &MeshUse<'_>, out: &mut Sink<'_>) {
         }
         None => report.done(),
     }
+}
+
+/// Whether a link weighs more than anything of a thousandth of its size can: the mesh is as large as it says.
+fn is_heavy(mesh: &MeshUse<'_>, extent: f64) -> bool {
+    /// More than that of every material, kg / m^3.
+    const DENSITY: f64 = 25_000.0;
+    let mass = mesh.link.inertial.as_ref().and_then(Inertial::mass);
+    mass.is_some_and(|mass| mass > DENSITY * (extent / 1000.0).powi(3))
+}
+
+/// Whether a mesh is scaled to a point on purpose: no unit is that small.
+fn is_point(mesh: &MeshUse<'_>) -> bool {
+    /// Less than a millionth of a meter in millimeters.
+    const LEAST: f64 = 1e-5;
+    let factors = mesh.scale.and(mesh.factors());
+    factors.is_some_and(|factors| factors.iter().all(|factor| factor.abs() < LEAST))
 }
 
 /// Whether a mesh is what a robot stands in: that of a root link without a mass, larger than the robot, while a thousandth of it

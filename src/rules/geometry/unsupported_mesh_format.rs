@@ -26,7 +26,9 @@ const READ: [&str; 12] = [
 const USUAL: [&str; 3] = ["stl", "dae", "obj"];
 
 /// Formats of meshes that some program reads: who uses one for all meshes has such a program.
-const OTHER: [&str; 8] = ["fbx", "3ds", "off", "wrl", "vrml", "x3d", "lwo", "x"];
+const OTHER: [&str; 10] = [
+    "fbx", "3ds", "off", "wrl", "vrml", "x3d", "lwo", "x", "osg", "ive",
+];
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let common = [false, true].map(|is_collision| has_common_format(cx, is_collision));

@@ -55,6 +55,8 @@ fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
     );
     let is_gross = !(FAR_TOO_LIGHT..FAR_TOO_HEAVY).contains(&density)
         && mass >= LEAST_MASS
+        // a shape that touches nothing is a marker
+        && !link.collisions.is_empty()
         && !fits_in_shape(cx, link, mass)
         && !is_in_world(cx, link)
         && !is_placeholder(cx, link, inertial)

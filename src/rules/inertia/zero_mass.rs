@@ -35,7 +35,7 @@ fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
         .is_none_or(|class| class == InertiaClass::Zero);
     let is_frame = !link.has_geometry() && no_inertia;
     let is_object = no_inertia && cx.robot.is_some_and(Robot::is_rigid);
-    let harmless = is_frame || is_object || is_joined(cx, link);
+    let harmless = is_frame || is_object || no_inertia && !is_simulated(cx) || is_joined(cx, link);
     let severity = if harmless {
         Severity::Info
     } else {
@@ -57,4 +57,11 @@ fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
         }
         None => report.done(),
     }
+}
+
+/// Whether the robot has something for a simulator or for controllers.
+fn is_simulated(cx: &DocumentCx<'_>) -> bool {
+    cx.look_beyond();
+    cx.robot
+        .is_some_and(|robot| !robot.gazebo.is_empty() || !robot.controls.is_empty())
 }

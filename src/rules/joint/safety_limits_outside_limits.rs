@@ -20,8 +20,6 @@ pub(super) static RULE: Rule = Rule {
 
 /// What calculation may lose.
 const ROUNDING: f64 = 1e-9;
-/// Part of a distance that the rounding of limits to a few digits may change.
-const BY_THE_SAME: f64 = 1e-3;
 
 fn check(_: &DocumentCx<'_>, joint: &Joint, out: &mut Sink<'_>) {
     if !joint.is(&[Revolute, Prismatic]) {
@@ -59,7 +57,9 @@ fn check(_: &DocumentCx<'_>, joint: &Joint, out: &mut Sink<'_>) {
             upper,
         ),
     ];
-    let severity = if is_switched_off(lower - low, up - upper) {
+    let is_switched_off = lower - low > ROUNDING && up - upper > ROUNDING;
+    // both are out of the way: they were never meant to act
+    let severity = if is_switched_off {
         Severity::Info
     } else {
         Severity::Warning
@@ -80,9 +80,4 @@ fn check(_: &DocumentCx<'_>, joint: &Joint, out: &mut Sink<'_>) {
             .help("write a soft limit inside the hard limits")
             .done();
     }
-}
-
-/// Whether both soft limits are outside by the same amount: somebody put them out of the way.
-fn is_switched_off(below: f64, above: f64) -> bool {
-    below > ROUNDING && (below - above).abs() <= BY_THE_SAME * below
 }

@@ -4,7 +4,7 @@ use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::groups::unknown;
 
-pub(super) static RULE: Rule = Rule::semantic(
+pub(in super::super) static RULE: Rule = Rule::semantic(
     "MOV004",
     "kinematics-unknown-group",
     Category::Moveit,
@@ -17,5 +17,5 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
     let Some(settings) = cx.settings() else {
         return;
     };
-    unknown(cx, out, &settings.kinematics, "kinematics solver");
+    unknown(cx, out, &settings.kinematics, ("kinematics solver", true));
 }

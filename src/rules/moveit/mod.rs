@@ -4,7 +4,7 @@ mod groups;
 mod joint_limits_above_urdf;
 mod joint_limits_not_double;
 mod joint_limits_unknown_joint;
-mod kinematics_unknown_group;
+pub(super) mod kinematics_unknown_group;
 mod moveit_controller_unknown_joint;
 pub(super) mod moveit_unknown_controller;
 mod planning_unknown_group;

@@ -17,5 +17,10 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
     let Some(settings) = cx.settings() else {
         return;
     };
-    unknown(cx, out, &settings.servo, "parameters of MoveIt Servo");
+    unknown(
+        cx,
+        out,
+        &settings.servo,
+        ("parameters of MoveIt Servo", false),
+    );
 }

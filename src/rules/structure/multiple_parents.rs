@@ -3,7 +3,8 @@ use super::super::context::RobotCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use base::FastMap;
-use model::{Joint, JointType};
+use ecow::EcoString;
+use model::{Joint, JointType, Link};
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "STR004",
@@ -70,10 +71,10 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
             let is_beside = joint.ends().map(|ends| ends.0) == first.ends().map(|ends| ends.0)
                 && !joint.is(&[JointType::Fixed])
                 && !first.is(&[JointType::Fixed]);
-            let severity = if is_beside {
-                Severity::Warning
-            } else {
-                RULE.severity
+            let severity = match joint.ends() {
+                Some(ends) if is_beside && is_frame(cx, [ends.0, ends.1]) => Severity::Info,
+                _ if is_beside => Severity::Warning,
+                _ => RULE.severity,
             };
             out.report(child.origin, message)
                 .severity(severity)
@@ -85,6 +86,13 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
                 .done();
         }
     }
+}
+
+/// Whether one of the links that a joint holds together is a frame: between frames, several joints are values with names.
+fn is_frame(cx: &RobotCx<'_>, ends: [&EcoString; 2]) -> bool {
+    let link = |name: &EcoString| cx.robot.links.get(cx.kinematics.link(name)?);
+    let is_bare = |link: &Link| !link.has_geometry() && link.inertial.is_none();
+    ends.into_iter().filter_map(link).any(is_bare)
 }
 
 /// The joint that looks reversed: the only one of the two whose parent link no joint holds, in a robot with several roots.

@@ -38,6 +38,8 @@ pub(super) struct TextMentions {
     builds_moveit: bool,
     /// Whether a text that runs may find an SRDF whose name it does not spell out.
     takes_srdf: bool,
+    /// Whether a text that runs may find a YAML file whose name it does not spell out.
+    takes_yaml: bool,
     /// Whether a launch file or program plans or controls something, or simulates it.
     pub moves: bool,
     /// What texts that run something, and descriptions, say of programs, where they say something.
@@ -63,15 +65,31 @@ pub(super) struct TextMentions {
 impl Callers {
     /// Whether a text in the sources around a file holds its name; also where not all texts are known.
     pub fn mention_file(&self, file: &Path) -> bool {
+        self.mention_file_in(file, |_| true)
+    }
+
+    /// Whether one of these texts does.
+    fn mention_file_in(&self, file: &Path, is_one: impl Fn(&Path) -> bool) -> bool {
         let own = self.packages.containing(file);
-        let is_its = |(_, package): (&Path, Option<&str>)| {
+        let is_its = |(path, package): (&Path, Option<&str>)| {
             let own = own.as_ref().map(|package| package.name.as_str());
-            package.is_none() || own.is_none() || package == own
+            (package.is_none() || own.is_none() || package == own) && is_one(path)
         };
         let is_it = |mentions: Arc<TextMentions>| {
             !mentions.is_whole || mentions.with_packages(file).any(is_its)
         };
         self.mentions(file).is_none_or(is_it)
+    }
+
+    /// Whether there are launch files or programs around a YAML file, and none of them can load it: the name is in no text but in
+    /// launch files for ROS 1 in packages for ROS 2, and no text puts such a name together.
+    pub fn leave_yaml_alone(&self, file: &Path) -> bool {
+        let may_run = |path: &Path| {
+            let is_of_ros1 = path.extension().is_some_and(|ending| ending == "launch");
+            !(is_of_ros1 && self.packages.is_for_ament(path))
+        };
+        let none_finds_it = |mentions: Arc<TextMentions>| mentions.runs && !mentions.takes_yaml;
+        !self.mention_file_in(file, may_run) && self.mentions(file).is_some_and(none_finds_it)
     }
 
     /// Whether a program around a file builds the configuration of MoveIt, which finds descriptions by itself.
@@ -233,6 +251,7 @@ impl TextMentions {
                 continue;
             }
             self.takes_srdf |= is_use && !is_page && word == "srdf";
+            self.takes_yaml |= is_use && !is_page && is_end_of_yaml(part);
             let is_package = is_use && names.contains(word);
             // in `package://name/` and `$(find name)`
             if is_description && names.contains(word) && part.ends_with(['/', ')']) {
@@ -383,6 +402,12 @@ fn without_ends(part: &str) -> &str {
     } else {
         word
     }
+}
+
+/// Whether a part of a text is the end of the name of a YAML file: `.yaml` or `_controllers.yaml`.
+fn is_end_of_yaml(part: &str) -> bool {
+    let word = part.trim_end_matches(|c| !read::is_name(c));
+    word.starts_with(['.', '_']) && (word.ends_with(".yaml") || word.ends_with(".yml"))
 }
 
 /// Whether a word is one of these names, in letters of either case.
