@@ -59,7 +59,7 @@ impl Session {
 
     /// The files beside a robot.
     pub(in super::super) fn beside_of(&self, root: &Path) -> Vec<PathBuf> {
-        self.beside_around(root)
+        self.paired_around(root)
             .iter()
             .filter(|file| self.pairing(file).roots.iter().any(|own| own.file == root))
             .cloned()
@@ -145,7 +145,7 @@ impl Session {
                 || pairing.srdf.as_ref() == Some(other)
                 || self.is_for_one_of(other, &pairing.roots)
         };
-        let around = self.beside_around(path);
+        let around = self.paired_around(path);
         let same = around.iter().filter(is_same);
         let found: Vec<PathBuf> = same.take(FILES_BESIDE + 1).cloned().collect();
         (found.len() <= FILES_BESIDE).then_some(found)

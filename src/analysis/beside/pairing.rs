@@ -7,6 +7,8 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use rayon::prelude::*;
+
 use super::super::graph::gives_robot;
 use super::super::root_config::RootConfig;
 use super::super::session::Session;
@@ -25,6 +27,24 @@ impl Session {
         let made = Arc::new(self.paired_by_text(path));
         self.pairings().insert(path.to_owned(), made.clone());
         made
+    }
+
+    /// The files beside robots around a path, for each of which it is known which robots it is for: that takes long the first time,
+    /// and none waits for another.
+    pub(super) fn paired_around(&self, path: &Path) -> Arc<Vec<PathBuf>> {
+        let around = self.beside_around(path);
+        let are_known = {
+            let known = self.pairings();
+            around.iter().all(|file| known.contains_key(file))
+        };
+        if !are_known {
+            // what all of them ask for is made once
+            self.is_included(path);
+            around.par_iter().for_each(|file| {
+                self.pairing(file);
+            });
+        }
+        around
     }
 
     fn paired_by_text(&self, path: &Path) -> Pairing {
