@@ -531,6 +531,9 @@ impl AnalysisHost {
 
     /// What there is to say about files, each under its active root. `None` when cancelled.
     pub fn report(&mut self, paths: &[PathBuf], cancel: &CancelFlag) -> Option<Report> {
+        // one answer rests on one state of the disk, which is asked once about each file
+        let vfs = Arc::clone(&self.session.vfs);
+        let _held = vfs.freeze();
         self.notice_meshes();
         let mut roots: Vec<RootConfig> = Vec::new();
         let mut own: Vec<RootConfig> = Vec::new();

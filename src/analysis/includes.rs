@@ -189,11 +189,13 @@ impl Included {
 
     /// Put what a file says now in place of what it said before; none where it is gone.
     fn replace(&mut self, path: &Path, source: Option<&Arc<SourceFile>>, packages: &Packages) {
-        self.files.retain(|file| *file.path != *path);
+        // letter by letter: all of them are absolute, and comparing part by part takes long
+        let is_other = |other: &Path| other.as_os_str() != path.as_os_str();
+        self.files.retain(|file| is_other(&file.path));
         self.given.remove(path);
         self.by_start
             .values_mut()
-            .for_each(|includes| includes.retain(|include| *include.from != *path));
+            .for_each(|includes| includes.retain(|include| is_other(&include.from)));
         if let Some(source) = source {
             self.files.push(source.clone());
             self.add_given(source);
