@@ -10,6 +10,7 @@ use super::compare::ComparisonResult;
 use super::files::{Beside, Robots, Sort, sort};
 use base::CancelFlag;
 use facts::parts_where;
+use xml::Document;
 
 impl Session {
     /// What a file says that the pairing of other files rests on, and the arguments that it gives to robots.
@@ -31,11 +32,18 @@ impl Session {
             let named = parts.flat_map(|(_, item)| item.text().split("<parameters>").skip(1));
             said.extend(named.filter_map(|rest| Some(rest.split_once('<')?.0.to_owned())));
             said.push(gives_robot(&file.document).to_string());
-            let parts = parts_where(&file.document, |marks| marks.include);
-            said.extend(parts.map(|(_, item)| item.text().to_owned()));
+            said.extend(included_names(&file.document));
         }
         said
     }
+}
+
+/// The names of the files that a document includes, with the prefix of xacro or without it.
+fn included_names(document: &Document) -> impl Iterator<Item = String> {
+    let parts = parts_where(document, |marks| marks.include);
+    let nodes = parts.flat_map(|(_, item)| item.all_nodes());
+    let tags = nodes.filter(|node| matches!(node.name(), "xacro:include" | "include"));
+    tags.filter_map(|tag| Some(tag.attr("filename")?.raw().to_owned()))
 }
 
 impl AnalysisHost {
