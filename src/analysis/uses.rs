@@ -38,6 +38,18 @@ impl Session {
         self.lower_where(findings, is_of_classic, || {
             (!self.callers.run_gazebo_classic(file)).then_some(Severity::Info)
         });
+        // what xacro made on another computer, and nothing loads
+        let is_elsewhere = |finding: &Finding| {
+            finding.rule == named::PLUGIN_FILE_NOT_FOUND && finding.message.starts_with("file `/")
+        };
+        self.lower_where(findings, is_elsewhere, || {
+            (!self.callers.load(file)).then_some(Severity::Info)
+        });
+        // Gazebo takes paths as they are
+        self.lower_where(findings, about(named::MESH_PATH_WITHOUT_SCHEME), || {
+            let mut shows = ["rviz", "moveit"].into_iter();
+            (!shows.any(|program| self.callers.quote(file, program))).then_some(Severity::Info)
+        });
         let is_spaced = |finding: &Finding| {
             finding.rule == named::INVALID_NAME && self.is_name_of_no_controller(file, finding)
         };

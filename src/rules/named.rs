@@ -75,6 +75,10 @@ pub const UNKNOWN_LAUNCH_ARGUMENT: &Rule = &package::unknown_launch_argument::RU
 pub const MISSING_DOLLAR: &Rule = &xacro::missing_dollar::RULE;
 /// `invalid-number`
 pub const INVALID_NUMBER: &Rule = &xml::invalid_number::RULE;
+/// `plugin-file-not-found`
+pub const PLUGIN_FILE_NOT_FOUND: &Rule = &control::plugin_file_not_found::RULE;
+/// `mesh-path-without-scheme`
+pub const MESH_PATH_WITHOUT_SCHEME: &Rule = &geometry::mesh_path_without_scheme::RULE;
 /// `mesh-not-found`
 pub const MESH_NOT_FOUND: &Rule = &geometry::mesh_not_found::RULE;
 /// `missing-attribute`

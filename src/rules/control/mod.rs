@@ -13,7 +13,7 @@ pub(super) mod gazebo_unknown_reference;
 mod hardware;
 mod joints;
 mod misspelled_plugin;
-mod plugin_file_not_found;
+pub(super) mod plugin_file_not_found;
 mod plugin_unknown_joint;
 mod plugins;
 pub(super) mod ros1_gazebo_plugin;

@@ -9,7 +9,7 @@ use expand::XId;
 use model::AttrValue;
 use packages::UriOutcome;
 
-pub(super) static RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "CTL021",
     name: "plugin-file-not-found",
     category: Category::Control,

@@ -24,6 +24,7 @@ mod mesh_inverted_normals;
 mod mesh_missing_dependency;
 pub(super) mod mesh_not_found;
 mod mesh_not_watertight;
+pub(super) mod mesh_path_without_scheme;
 mod mesh_scale_suspicious;
 mod missing;
 mod missing_collision;
@@ -96,4 +97,5 @@ pub(super) static RULES: &[&Rule] = &[
     &mesh_far_from_link::RULE,
     &visual_collision_apart::RULE,
     &collision_left_out::RULE,
+    &mesh_path_without_scheme::RULE,
 ];
