@@ -29,15 +29,17 @@ impl Session {
         made
     }
 
-    /// The files beside robots around a path, for each of which it is known which robots it is for: that takes long the first time,
-    /// and none waits for another.
+    /// The files beside robots around a path. Where there are many, it is found out for all of them at once which robots they are
+    /// for: none waits for another.
     pub(super) fn paired_around(&self, path: &Path) -> Arc<Vec<PathBuf>> {
+        /// Fewer are done before other threads have begun.
+        const MANY: usize = 16;
         let around = self.beside_around(path);
-        let are_known = {
+        let are_new = around.len() >= MANY && {
             let known = self.pairings();
-            around.iter().all(|file| known.contains_key(file))
+            around.iter().any(|file| !known.contains_key(file))
         };
-        if !are_known {
+        if are_new {
             // what all of them ask for is made once
             self.is_included(path);
             around.par_iter().for_each(|file| {
