@@ -38,12 +38,14 @@ impl Session {
         self.lower_where(findings, is_of_classic, || {
             (!self.callers.run_gazebo_classic(file)).then_some(Severity::Info)
         });
-        // what xacro made on another computer, and nothing loads
+        // what xacro made on another computer is often kept, and no simulator reads it
         let is_elsewhere = |finding: &Finding| {
             finding.rule == named::PLUGIN_FILE_NOT_FOUND && finding.message.starts_with("file `/")
         };
         self.lower_where(findings, is_elsewhere, || {
-            (!self.callers.load(file)).then_some(Severity::Info)
+            let mut simulators = ["gazebo", "ros_gz", "gz_sim", "ignition"].into_iter();
+            let is_run = simulators.any(|name| self.callers.quote(file, name));
+            (!is_run).then_some(Severity::Info)
         });
         // Gazebo takes paths as they are
         self.lower_where(findings, about(named::MESH_PATH_WITHOUT_SCHEME), || {
