@@ -4,6 +4,7 @@ mod attr_value;
 mod blocks;
 mod canonical;
 mod difference;
+mod ends;
 mod joint;
 mod kept;
 mod kinematics;

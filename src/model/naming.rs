@@ -1,6 +1,7 @@
 //! What rests on names alone: how links hang together, and which names are unusual. An edit of a number changes none of it, so
 //! the robot after it shares this with the one before.
 use super::attr_value::AttrValue;
+use super::ends::Ends;
 use super::joint::Joint;
 use super::kinematics::Kinematics;
 use super::link::Link;
@@ -27,6 +28,8 @@ pub struct Naming {
     pub has_shared_name: bool,
     /// Whether a joint names one link as both of its ends.
     pub has_loop: bool,
+    /// Which joints end where.
+    pub(super) ends: Ends,
 }
 
 /// What names and ends may hold. What is said not to be there is not there; where it is, nobody knows.
@@ -69,6 +72,7 @@ impl Naming {
             has_repeated_joint,
             has_shared_name,
             has_loop: robot.joints.iter().any(is_loop),
+            ends: Ends::of(robot),
             kinematics,
         }
     }

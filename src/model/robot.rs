@@ -102,6 +102,24 @@ impl Robot {
         self.naming.get_or_init(|| Naming::of(self))
     }
 
+    /// The links of a name, in document order; a link without one has the empty name.
+    pub fn links_named(&self, name: &str) -> impl Iterator<Item = &Link> + Clone {
+        let links = self.naming().ends.links.named(name);
+        links.filter_map(|index| self.links.get(index))
+    }
+
+    /// The joints whose child is a link of this name, in document order.
+    pub fn joints_above(&self, link: &str) -> impl Iterator<Item = &Joint> + Clone {
+        let joints = self.naming().ends.above.named(link);
+        joints.filter_map(|index| self.joints.get(index))
+    }
+
+    /// The joints whose parent is a link of this name, in document order.
+    pub fn joints_below(&self, link: &str) -> impl Iterator<Item = &Joint> + Clone {
+        let joints = self.naming().ends.below.named(link);
+        joints.filter_map(|index| self.joints.get(index))
+    }
+
     /// Whether the document stands on its own: a robot with a name and a link.
     pub fn is_entry(&self) -> bool {
         !self.links.is_empty()

@@ -166,29 +166,19 @@ pub struct DocumentCx<'a> {
     pub(super) used: OnceCell<Vec<bool>>,
     /// The macros that the files define, once a rule has asked.
     pub(super) macros: OnceCell<FastSet<&'a str>>,
-    all: AllElements<'a>,
+    all: AllElements,
     looked_beyond: Cell<bool>,
 }
 
 /// What is known of all links and joints together, once a rule has asked.
 #[derive(Default)]
-pub(super) struct AllElements<'a> {
+pub(super) struct AllElements {
     /// How far apart the joints are.
     pub(super) distances: OnceCell<Distances>,
     /// The lengths of the axes of joints that move.
     pub(super) axis_lengths: OnceCell<Vec<f64>>,
-    /// Whether several links have the inertia of a motor added.
-    pub(super) has_rotors: OnceCell<bool>,
-    /// The joints by their links, and the links by name.
-    by_name: OnceCell<ByName<'a>>,
-}
-
-/// Links and joints by names of links: rules ask for each link, and a scan of all each time would cost the square of them.
-#[derive(Default)]
-struct ByName<'a> {
-    above: FastMap<&'a str, Vec<&'a Joint>>,
-    below: FastMap<&'a str, Vec<&'a Joint>>,
-    links: FastMap<&'a str, Vec<&'a Link>>,
+    /// The links that have the inertia of a motor added; none where they are few.
+    pub(super) rotors: OnceCell<FastSet<XId>>,
 }
 
 impl<'a> DocumentCx<'a> {
@@ -246,53 +236,41 @@ impl<'a> DocumentCx<'a> {
     }
 
     /// What is known of all links and joints together.
-    pub(super) fn all(&self) -> &AllElements<'a> {
+    pub(super) fn all(&self) -> &AllElements {
         self.look_beyond();
         &self.all
     }
 
     /// The joints whose child is a link of this name, in document order.
-    pub(super) fn joints_above(&self, link: &str) -> &[&'a Joint] {
-        self.by_name().above.get(link).map_or(&[], Vec::as_slice)
+    pub(super) fn joints_above(&self, link: &str) -> impl Iterator<Item = &'a Joint> + Clone {
+        self.whole_robot()
+            .into_iter()
+            .flat_map(move |robot| robot.joints_above(link))
+    }
+
+    /// The only joint whose child is a link of this name; none where there are several.
+    pub(super) fn joint_above(&self, link: &str) -> Option<&'a Joint> {
+        let mut joints = self.joints_above(link);
+        joints.next().filter(|_| joints.next().is_none())
     }
 
     /// The joints whose parent is a link of this name, in document order.
-    pub(super) fn joints_below(&self, link: &str) -> &[&'a Joint] {
-        self.by_name().below.get(link).map_or(&[], Vec::as_slice)
+    pub(super) fn joints_below(&self, link: &str) -> impl Iterator<Item = &'a Joint> + Clone {
+        self.whole_robot()
+            .into_iter()
+            .flat_map(move |robot| robot.joints_below(link))
     }
 
     /// The links of a name, in document order.
-    pub(super) fn links_named(&self, name: &str) -> &[&'a Link] {
-        self.by_name().links.get(name).map_or(&[], Vec::as_slice)
+    pub(super) fn links_named(&self, name: &str) -> impl Iterator<Item = &'a Link> + Clone {
+        self.whole_robot()
+            .into_iter()
+            .flat_map(move |robot| robot.links_named(name))
     }
 
-    fn by_name(&self) -> &ByName<'a> {
-        self.all().by_name.get_or_init(|| {
-            let mut found = ByName::default();
-            let Some(robot) = self.robot else {
-                return found;
-            };
-            for joint in &robot.joints {
-                if let Some(child) = &joint.child {
-                    found
-                        .above
-                        .entry(child.value.as_str())
-                        .or_default()
-                        .push(joint);
-                }
-                if let Some(parent) = &joint.parent {
-                    found
-                        .below
-                        .entry(parent.value.as_str())
-                        .or_default()
-                        .push(joint);
-                }
-            }
-            for link in &robot.links {
-                found.links.entry(link.shown()).or_default().push(link);
-            }
-            found
-        })
+    fn whole_robot(&self) -> Option<&'a Robot> {
+        self.look_beyond();
+        self.robot
     }
 
     /// The links of the document.

@@ -132,11 +132,7 @@ fn turns_above(
     const MOST_LINKS: usize = 10;
     let (mut parent, mut turned, mut found) = (parent, turned, Vec::new());
     while found.len() < MOST_LINKS {
-        let Some(joint) = cx
-            .joints_above(parent)
-            .iter()
-            .find(|joint| joint.ends().is_some())
-        else {
+        let Some(joint) = cx.joints_above(parent).find(|joint| joint.ends().is_some()) else {
             break;
         };
         let angles = joint

@@ -117,5 +117,5 @@ fn is_placed(cx: &DocumentCx<'_>, joint: &Joint, held: &FastSet<EcoString>) -> b
     is_surroundings(parent)
         // a root without a body stands for what is around the robot
         || !held.contains(parent)
-            && cx.links_named(parent).first().is_some_and(|link| !link.has_geometry())
+            && cx.links_named(parent).next().is_some_and(|link| !link.has_geometry())
 }

@@ -45,8 +45,8 @@ fn check(cx: &DocumentCx<'_>, joint: &Joint, out: &mut Sink<'_>) {
 
 /// How bad it is: a link with a shape is a body that only has the name of the frame.
 fn severity(cx: &DocumentCx<'_>, link: &str) -> Severity {
-    let is_body = |link: &&Link| !link.visuals.is_empty() || !link.collisions.is_empty();
-    if cx.links_named(link).iter().any(is_body) {
+    let is_body = |link: &Link| !link.visuals.is_empty() || !link.collisions.is_empty();
+    if cx.links_named(link).any(is_body) {
         Severity::Info
     } else {
         RULE.severity

@@ -82,7 +82,7 @@ fn is_among_others(cx: &DocumentCx<'_>, mesh: &MeshUse<'_>) -> bool {
 /// From the frame of a link to the nearest point of a box; from the axis of the joint above, where the link turns: where on it
 /// the frame stands makes no difference.
 fn distance(cx: &DocumentCx<'_>, link: &Link, bounds: Bounds) -> f64 {
-    let above = cx.joints_above(link.shown()).first();
+    let above = cx.joints_above(link.shown()).next();
     // what slides moves alike, wherever its frame is
     if above.is_some_and(|joint| joint.is(&[JointType::Prismatic])) {
         return 0.0;

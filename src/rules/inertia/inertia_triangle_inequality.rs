@@ -7,6 +7,8 @@ use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::joined::{is_built_into_world, is_in_world, is_small_part};
 use super::moments::{Impossible, inertia_tag, judged};
+use base::FastSet;
+use expand::XId;
 use model::{Inertial, JointType, Link, transform};
 
 pub(in super::super) static RULE: Rule = Rule {
@@ -38,11 +40,11 @@ fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
     let Some(impossible) = &judged.impossible else {
         return;
     };
-    let has_rotors = || {
-        let rotors = cx.links().iter().filter(|link| has_rotor(cx, link));
-        rotors.take(ROTORS).count() == ROTORS
-    };
-    let is_rotor = has_rotor(cx, link) && *cx.all().has_rotors.get_or_init(has_rotors);
+    let is_rotor = cx
+        .all()
+        .rotors
+        .get_or_init(|| rotors(cx))
+        .contains(&link.element);
     // what never moves here may be a part that moves elsewhere
     let is_idle = is_rotor || is_built_into_world(cx, link);
     let severity = if is_idle || !is_error(cx, link, inertial) {
@@ -64,6 +66,17 @@ fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
         .done();
 }
 
+/// The links with the inertia of a motor; none where they are too few to be meant so.
+fn rotors(cx: &DocumentCx<'_>) -> FastSet<XId> {
+    let links = cx.links().iter().filter(|link| has_rotor(cx, link));
+    let rotors: FastSet<XId> = links.map(|link| link.element).collect();
+    if rotors.len() < ROTORS {
+        FastSet::default()
+    } else {
+        rotors
+    }
+}
+
 /// Whether the largest moment of a link is that of a motor about its own joint.
 fn has_rotor(cx: &DocumentCx<'_>, link: &Link) -> bool {
     link.inertial.as_ref().is_some_and(|inertial| {
@@ -78,7 +91,7 @@ fn has_rotor(cx: &DocumentCx<'_>, link: &Link) -> bool {
 /// Whether the largest moment of a link is that about the axis of its own joint.
 fn is_about_joint(cx: &DocumentCx<'_>, link: &Link, inertial: &Inertial, most: f64) -> bool {
     const TOLERANCE: f64 = 0.02;
-    let &[joint] = cx.joints_above(link.shown()) else {
+    let Some(joint) = cx.joint_above(link.shown()) else {
         return false;
     };
     let axis = joint

@@ -16,8 +16,8 @@ pub(super) const LIGHT: f64 = 0.01;
 
 /// Whether a link is fixed to another one: simulators join both to one body.
 pub(super) fn is_joined(cx: &DocumentCx<'_>, link: &Link) -> bool {
-    let above = joints_above(cx, link.shown());
-    !above.is_empty() && above.iter().all(|joint| joint.is(&[JointType::Fixed]))
+    let mut above = joints_above(cx, link.shown()).peekable();
+    above.peek().is_some() && above.all(|joint| joint.is(&[JointType::Fixed]))
 }
 
 /// Whether a link is fixed to a body of which it is a small part: up to a twentieth of the mass of one that carries it.
@@ -25,7 +25,7 @@ pub(super) fn is_small_part(cx: &DocumentCx<'_>, link: &Link, mass: f64) -> bool
     const SMALL: f64 = 0.05;
     let mut name = link.shown();
     for _ in 0..=cx.joints().len() {
-        let &[joint] = joints_above(cx, name) else {
+        let Some(joint) = joint_above(cx, name) else {
             return false;
         };
         let Some(parent) = joint
@@ -38,7 +38,6 @@ pub(super) fn is_small_part(cx: &DocumentCx<'_>, link: &Link, mass: f64) -> bool
         name = parent.value.as_str();
         let mut carried = cx
             .links_named(name)
-            .iter()
             .filter_map(|carrier| carrier.inertial.as_ref()?.mass());
         if carried.any(|carried| mass <= SMALL * carried) {
             return true;
@@ -72,9 +71,7 @@ fn chain_to_world<'a>(cx: &'a DocumentCx<'_>, link: &'a Link) -> Option<Vec<&'a 
         if is_surroundings(name) {
             return Some(chain);
         }
-        let &[joint] = joints_above(cx, name) else {
-            return None;
-        };
+        let joint = joint_above(cx, name)?;
         let parent = joint.parent.as_ref();
         name = parent
             .filter(|_| joint.is(&[JointType::Fixed]))?
@@ -116,13 +113,10 @@ pub(super) fn body_boxes(cx: &DocumentCx<'_>, link: &Link) -> Vec<Bounds> {
         if matches!(name, "" | "?") || !seen.insert(name) {
             continue;
         }
-        let boxes = cx
-            .links_named(name)
-            .iter()
-            .filter_map(|link| known_box(cx, link));
+        let boxes = cx.links_named(name).filter_map(|link| known_box(cx, link));
         found.extend(boxes.map(|bounds| bounds.moved(&place)));
-        let fixed = |joint: &&&Joint| joint.is(&[JointType::Fixed]);
-        for joint in cx.joints_above(name).iter().filter(fixed) {
+        let fixed = |joint: &&Joint| joint.is(&[JointType::Fixed]);
+        for joint in cx.joints_above(name).filter(fixed) {
             let to = transform(joint.origin.as_ref()).map(|to| place * to.inverse());
             open.extend(
                 joint
@@ -132,7 +126,7 @@ pub(super) fn body_boxes(cx: &DocumentCx<'_>, link: &Link) -> Vec<Bounds> {
                     .map(|(parent, to)| (parent.value.as_str(), to)),
             );
         }
-        for joint in cx.joints_below(name).iter().filter(fixed) {
+        for joint in cx.joints_below(name).filter(fixed) {
             let to = transform(joint.origin.as_ref()).map(|to| place * to);
             open.extend(
                 joint
@@ -148,10 +142,16 @@ pub(super) fn body_boxes(cx: &DocumentCx<'_>, link: &Link) -> Vec<Bounds> {
 
 /// The joints whose child is a link. In a macro that nothing calls, a part of the names is not known; what is known tells
 /// them apart.
-fn joints_above<'a>(cx: &'a DocumentCx<'_>, link: &str) -> &'a [&'a Joint] {
-    if matches!(link, "" | "?") {
-        &[]
-    } else {
-        cx.joints_above(link)
-    }
+fn joints_above<'a>(cx: &DocumentCx<'a>, link: &str) -> impl Iterator<Item = &'a Joint> + Clone {
+    let is_known = !matches!(link, "" | "?");
+    is_known
+        .then(|| cx.joints_above(link))
+        .into_iter()
+        .flatten()
+}
+
+/// The only one of them.
+fn joint_above<'a>(cx: &DocumentCx<'a>, link: &str) -> Option<&'a Joint> {
+    let is_known = !matches!(link, "" | "?");
+    cx.joint_above(link).filter(|_| is_known)
 }
