@@ -3,8 +3,6 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
-use rayon::prelude::*;
-
 use super::beside::{ComparisonResult, Robots, Sort, sort};
 use super::change::Change;
 use super::check_task::{CheckReason, CheckTask};
@@ -19,7 +17,7 @@ use super::root_result::RootResult;
 use super::run_task;
 use super::session::Session;
 use super::suppress::SuppressionFilter;
-use super::threads::large_stacks;
+use super::threads::map_all;
 use base::limits::MESSAGE_LETTERS;
 use base::{FastMap, FastSet, FileId};
 use packages::UNQUOTED;
@@ -255,13 +253,7 @@ impl Session {
             options.progress.step();
             result
         };
-        if tasks.len() < 2 {
-            return tasks.into_iter().map(run).collect();
-        }
-        match large_stacks() {
-            Some(pool) => pool.install(|| tasks.into_par_iter().map(run).collect()),
-            None => tasks.into_par_iter().map(run).collect(),
-        }
+        map_all(tasks, run)
     }
 
     /// All roots that are wanted, expanded.
@@ -279,11 +271,7 @@ impl Session {
             let analyzed = Arc::new(RootAnalysis::of(self, &root, options));
             (root, analyzed)
         };
-        let made: Vec<_> = match large_stacks().filter(|_| roots.len() > 1) {
-            Some(pool) => pool.install(|| roots.into_par_iter().map(make).collect()),
-            None => roots.into_iter().map(make).collect(),
-        };
-        robots.extend(made);
+        robots.extend(map_all(roots, make));
         robots
     }
 

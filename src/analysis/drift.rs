@@ -3,8 +3,6 @@ use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use rayon::prelude::*;
-
 use super::check_task::{CheckReason, CheckTask};
 use super::expect::{entry_at, filled, worded};
 use super::options::CheckOptions;
@@ -12,7 +10,7 @@ use super::root_result::RootResult;
 use super::run_cache::{RunResult, RunSetting};
 use super::run_task;
 use super::session::Session;
-use super::threads::large_stacks;
+use super::threads::map_all;
 use base::limits::{DRIFT_RUNS, DRIFT_SOURCES};
 use base::{CancelFlag, FastSet, Span, TextRange};
 use expand::{BindingKind, Request, expand, write, write_mapped};
@@ -83,11 +81,8 @@ impl Session {
                 self.settings(&file.path).runs(rule, &file.path) && banner(file).is_some()
             })
             .collect();
-        let find = |file: &&Arc<SourceFile>| self.drift(file, &options.cancel);
-        match large_stacks().filter(|_| generated.len() > 1) {
-            Some(pool) => pool.install(|| generated.par_iter().filter_map(find).collect()),
-            None => generated.iter().filter_map(find).collect(),
-        }
+        let found = map_all(generated, |file| self.drift(file, &options.cancel));
+        found.into_iter().flatten().collect()
     }
 
     fn drift(&self, file: &SourceFile, cancel: &CancelFlag) -> Option<Finding> {

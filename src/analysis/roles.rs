@@ -337,16 +337,7 @@ fn verdict(role: Role, finding: &Finding) -> FindingAction {
 /// A link that a robot does not have; it and others like it are above all of its links: the robot is made to be attached
 /// there.
 fn above_fragment(robot: &Robot) -> Option<&EcoString> {
-    let names: FastSet<&EcoString> = robot
-        .links
-        .iter()
-        .filter_map(|link| link.name.as_ref()?.name())
-        .collect();
-    let parents = robot
-        .joints
-        .iter()
-        .filter_map(|joint| joint.parent.as_ref()?.name());
-    let missing = parents.filter(|parent| !names.contains(parent)).min()?;
+    let missing = robot.naming().missing_parent.as_ref()?;
     let is_fragment = !robot.links.is_empty() && robot.kinematics().roots(robot).is_empty();
     is_fragment.then_some(missing)
 }

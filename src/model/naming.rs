@@ -1,5 +1,7 @@
 //! What rests on names alone: how links hang together, and which names are unusual. An edit of a number changes none of it, so
 //! the robot after it shares this with the one before.
+use ecow::EcoString;
+
 use super::attr_value::AttrValue;
 use super::ends::Ends;
 use super::joint::Joint;
@@ -28,6 +30,8 @@ pub struct Naming {
     pub has_shared_name: bool,
     /// Whether a joint names one link as both of its ends.
     pub has_loop: bool,
+    /// The first in the order of letters of the names that joints have for their parents and no link has.
+    pub missing_parent: Option<EcoString>,
     /// Which joints end where.
     pub(super) ends: Ends,
 }
@@ -72,6 +76,7 @@ impl Naming {
             has_repeated_joint,
             has_shared_name,
             has_loop: robot.joints.iter().any(is_loop),
+            missing_parent: missing_parent(robot, &kinematics),
             ends: Ends::of(robot),
             kinematics,
         }
@@ -89,6 +94,13 @@ impl NameMarks {
         self.underscores |= name.starts_with("__");
         self.empty |= name.is_empty();
     }
+}
+
+fn missing_parent(robot: &Robot, kinematics: &Kinematics) -> Option<EcoString> {
+    let parents = robot.joints.iter();
+    let parents = parents.filter_map(|joint| joint.parent.as_ref()?.name());
+    let missing = parents.filter(|parent| kinematics.link(parent).is_none());
+    missing.min().cloned()
 }
 
 /// The names of links and joints, and the ends of joints.

@@ -37,6 +37,9 @@ pub fn needs_names(rule: &Rule) -> bool {
 
 /// Where the names of links and joints could not be computed.
 pub fn unknown_names(expansion: &Expansion, robot: &Robot) -> Vec<Span> {
+    if robot.names_are_known() {
+        return Vec::new();
+    }
     let pieces = robot.doubtful_names().flat_map(|text| &text.pieces);
     let unknown = pieces.filter(|piece| piece.unknown);
     let places = unknown.filter_map(|piece| expansion.place(piece.source));

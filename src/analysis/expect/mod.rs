@@ -11,8 +11,6 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::path::PathBuf;
 
-use rayon::prelude::*;
-
 use self::case::{Case, Ran};
 pub(super) use self::evaluate::filled;
 use self::snapshot::Snapshot;
@@ -21,7 +19,7 @@ use super::options::CheckOptions;
 use super::report::{Report, Unreadable};
 use super::root_config::RootConfig;
 use super::session::Session;
-use super::threads::large_stacks;
+use super::threads::map_all;
 use base::limits::MATRIX_RUNS;
 use base::{FastMap, FastSet, Span};
 use rules::{Activation, Category, Check, Finding, Rule, Severity};
@@ -105,7 +103,7 @@ impl Session {
         let chosen: Vec<&Case> = cases.iter().filter(is_wanted).collect();
         tests.left_out = all - chosen.len();
         options.check.progress.begin(chosen.len());
-        let mut ran = self.run_cases(&chosen, options);
+        let mut ran = self.run_cases(chosen, options);
         if options.update {
             tests.updates = self.updates(&mut ran);
         }
@@ -184,16 +182,12 @@ impl Session {
         cases
     }
 
-    fn run_cases(&self, cases: &[&Case], options: &TestOptions) -> Vec<Ran> {
-        let run = |case: &&Case| {
+    fn run_cases(&self, cases: Vec<&Case>, options: &TestOptions) -> Vec<Ran> {
+        map_all(cases, |case| {
             let ran = case.run(self, options);
             options.check.progress.step();
             ran
-        };
-        match large_stacks().filter(|_| cases.len() > 1) {
-            Some(pool) => pool.install(|| cases.par_iter().map(run).collect()),
-            None => cases.iter().map(run).collect(),
-        }
+        })
     }
 
     /// Expectations that apply to none of the robots they are made for: a value in `when` is probably wrong.
