@@ -171,7 +171,7 @@ impl Expander<'_> {
                     .problem(ProblemKind::PackageNotFound, at, message)
                     .says(reference)
                     .depends_on(Outside::File);
-                problem = match missing.nearest {
+                problem = match self.sources.packages.meant(&name.text, &from) {
                     Some(near) => {
                         problem.help(format!("did you mean `{near}`?")).replace_with(near)
                     }

@@ -5,6 +5,7 @@ mod distribution;
 mod hardware;
 mod install;
 mod manifest;
+mod meant;
 mod package_sources;
 mod packages;
 mod root;

@@ -14,9 +14,8 @@ use super::package_sources::{
 };
 use super::root::workspace_root;
 use super::scan::{PackageTree, Rules, scan};
-use super::similar::{edit_distance, has_part, is_another, nearest};
 use super::similar_files::Index;
-use base::FastSet;
+use base::{FastMap, FastSet};
 use vfs::{Environment, Vfs, without_parents};
 
 /// Generation of ROS that files are written for.
@@ -83,8 +82,6 @@ pub struct NotFound {
     pub name: String,
     /// The places asked, in order.
     pub tried: Vec<(PackageSource, PathBuf)>,
-    /// A known package that seems to be meant: see [`Packages::find`].
-    pub nearest: Option<String>,
 }
 
 /// A package by its manifest.
@@ -137,7 +134,13 @@ pub struct Packages {
     /// What the sources in C++ say about hardware, by folder.
     pub(super) hardware: AnswerCache<PathBuf, Arc<HardwareSources>>,
     /// Names of packages without a manifest, by folder.
-    pub(super) unlisted: AnswerCache<PathBuf, Option<String>>,
+    pub(super) unlisted_names: AnswerCache<PathBuf, Option<String>>,
+    /// Packages without a manifest below a folder of sources, by the folder.
+    unlisted: AnswerCache<(PathBuf, Rules), Arc<FastMap<String, PathBuf>>>,
+    /// The packages that names of missing ones seem to mean, by the name and the folder of the asking file.
+    pub(super) meant: AnswerCache<(String, PathBuf), Option<String>>,
+    /// What the manifests below a folder of sources mention, by the folder.
+    pub(super) mentioned: AnswerCache<(PathBuf, Rules), Arc<FastSet<String>>>,
     /// Whether the build tools pass over a package, by folder.
     pub(super) unbuilt: AnswerCache<PathBuf, bool>,
     /// What other layers read off folders, by its type.
@@ -153,12 +156,15 @@ impl Packages {
             options,
             trees: AnswerCache::default(),
             owners: AnswerCache::default(),
+            meant: AnswerCache::default(),
+            mentioned: AnswerCache::default(),
             unbuilt: AnswerCache::default(),
             roots: AnswerCache::default(),
             installed: AnswerCache::default(),
             indexes: AnswerCache::default(),
             builds: AnswerCache::default(),
             hardware: AnswerCache::default(),
+            unlisted_names: AnswerCache::default(),
             unlisted: AnswerCache::default(),
             others: AnswerCache::default(),
         }
@@ -167,9 +173,8 @@ impl Packages {
     /// The folder of package `name` for a reference in `from_file`.
     ///
     /// # Errors
-    /// When no place has it. A text that cannot be the name of a package is found nowhere. Another package seems to be
-    /// meant when at most two letters differ, or when one name is the other with words in front or behind; but not
-    /// when the asking package depends on the one that is missing.
+    /// When no place has it. A text that cannot be the name of a package is found nowhere. [`Packages::meant`] says which
+    /// one may be meant.
     pub fn find(&self, name: &str, from_file: &Path) -> Result<FoundPackage, NotFound> {
         let mut tried = Vec::new();
         if is_package_name(name) {
@@ -179,70 +184,10 @@ impl Packages {
                 }
             }
         }
-        let nearest = self.meant(name, from_file);
         Err(NotFound {
             name: name.to_owned(),
             tried,
-            nearest,
         })
-    }
-
-    /// The known package that `name` seems to mean.
-    fn meant(&self, name: &str, from: &Path) -> Option<String> {
-        /// Letters that a slip of the fingers changes.
-        const SLIP: usize = 2;
-        let known = self.all(from);
-        let text = |folder: &Path| {
-            self.vfs
-                .text(&self.env.cwd.join(folder).join(MANIFEST))
-                .ok()
-        };
-        let manifest = self.containing(from).and_then(|owner| text(&owner.folder));
-        let manifest = manifest
-            .map(|manifest| manifest.text.clone())
-            .unwrap_or_default();
-        let declared = || between_tags(&manifest);
-        // what a package of the workspace depends on is there somewhere
-        let mut others = known
-            .iter()
-            .filter(|entry| entry.step == PackageSource::Workspace);
-        let depends = |entry: &PackageEntry| {
-            text(&entry.path).is_some_and(|file| between_tags(&file.text).any(|own| own == name))
-        };
-        if declared().any(|declared| declared == name) || others.any(depends) {
-            return None;
-        }
-        let names = known.iter().map(|entry| entry.name.as_str());
-        let near = nearest(
-            name,
-            names.chain(declared().filter(|name| is_package_name(name))),
-        );
-        let near = near.filter(|near| edit_distance(name, near) <= SLIP && !is_another(name, near));
-        // only among sources: of all that is installed, something always begins alike
-        let is_source = |entry: &&PackageEntry| {
-            entry.step <= PackageSource::Workspace && entry.step != PackageSource::OwnPackage
-        };
-        let sources = known.iter().filter(is_source);
-        let longer = || {
-            let is_alike =
-                |entry: &&PackageEntry| has_part(&entry.name, name) || has_part(name, &entry.name);
-            let alike = sources
-                .clone()
-                .filter(is_alike)
-                .filter(|entry| !self.is_metapackage(&entry.path));
-            // a package that adapts another one carries its name: the own package proves nothing
-            let own = self.containing(from).map(|own| own.name);
-            let alike = alike.filter(|entry| own.as_ref() != Some(&entry.name));
-            let nearness = |entry: &&PackageEntry| entry.name.len().abs_diff(name.len());
-            Some(alike.min_by_key(nearness)?.name.as_str())
-        };
-        near.or_else(longer).map(str::to_owned)
-    }
-
-    /// Whether a package is only there for what it depends on: no file of it can be meant.
-    fn is_metapackage(&self, folder: &Path) -> bool {
-        let manifest = self.vfs.text(&self.env.cwd.join(folder).join(MANIFEST));
-        manifest.is_ok_and(|manifest| manifest.text.contains("<metapackage"))
     }
 
     /// The packages that the manifest of the package around `from_file` says it needs when it runs, found or not.
@@ -368,6 +313,8 @@ impl Packages {
     pub fn forget(&self) {
         self.trees.clear();
         self.owners.clear();
+        self.meant.clear();
+        self.mentioned.clear();
         self.unbuilt.clear();
         self.roots.clear();
         self.installed.clear();
@@ -375,6 +322,7 @@ impl Packages {
         self.builds.clear();
         self.hardware.clear();
         self.others.clear();
+        self.unlisted_names.clear();
         self.unlisted.clear();
     }
 
@@ -416,11 +364,7 @@ impl Packages {
             let found = tree
                 .get(name, &without_parents(&self.vfs.absolute(from)))
                 .map(Path::to_owned);
-            let unlisted = || {
-                let is_it =
-                    |folder: &&PathBuf| self.unlisted_name(folder).is_some_and(|own| own == name);
-                tree.unlisted().iter().find(is_it).cloned()
-            };
+            let unlisted = || self.unlisted(&top, rules, &tree).get(name).cloned();
             if let Some(found) = found.or_else(unlisted) {
                 return Some(found);
             }
@@ -455,8 +399,26 @@ impl Packages {
         found
     }
 
+    /// The packages of a tree that have no manifest: the first of each name.
+    fn unlisted(
+        &self,
+        top: &Path,
+        rules: Rules,
+        tree: &PackageTree,
+    ) -> Arc<FastMap<String, PathBuf>> {
+        self.unlisted.get((top.to_owned(), rules), || {
+            let mut names = FastMap::default();
+            for folder in tree.unlisted() {
+                if let Some(name) = self.unlisted_name(folder) {
+                    names.entry(name).or_insert_with(|| folder.clone());
+                }
+            }
+            Arc::new(names)
+        })
+    }
+
     /// The trees `step` searches.
-    fn tree_tops(&self, step: PackageSource, from: &Path) -> Vec<(PathBuf, Rules)> {
+    pub(super) fn tree_tops(&self, step: PackageSource, from: &Path) -> Vec<(PathBuf, Rules)> {
         let (tops, rules) = match step {
             PackageSource::PackagePath => (self.options.explicit.clone(), Rules::Explicit),
             PackageSource::Workspace => (
@@ -578,7 +540,7 @@ impl Packages {
     }
 
     /// The packages below `top`.
-    fn tree(&self, top: &Path, rules: Rules) -> Arc<PackageTree> {
+    pub(super) fn tree(&self, top: &Path, rules: Rules) -> Arc<PackageTree> {
         self.trees.get((top.to_owned(), rules), || {
             Arc::new(scan(&self.vfs, top, rules))
         })
@@ -589,11 +551,4 @@ impl Packages {
             Arc::new(prefix.names(&self.vfs, &self.env.cwd))
         })
     }
-}
-
-/// Each text between two tags of a manifest: the names of dependencies are among them.
-fn between_tags(manifest: &str) -> impl Iterator<Item = &str> {
-    manifest
-        .split('>')
-        .filter_map(|part| Some(part.split_once('<')?.0.trim()))
 }

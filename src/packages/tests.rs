@@ -35,7 +35,10 @@ fn find(tree: &Tree, packages: &Packages, name: &str, from: &str) -> String {
     };
     match packages.find(name, &tree.path(from)) {
         Ok(found) => format!("{} {}", found.step, relative(found.path)),
-        Err(error) => format!("none, near {:?}", error.nearest),
+        Err(error) => {
+            let near = packages.meant(&error.name, &tree.path(from));
+            format!("none, near {near:?}")
+        }
     }
 }
 
@@ -177,11 +180,8 @@ fn failures_list_the_places_and_a_near_name() {
     );
     package(&tree, "ws/src/arm", "arm_description");
     let near = packages(&tree, &[], options(&tree))
-        .find("arm_descripton", &tree.path("ws/src/own/a.xacro"));
-    assert_eq!(
-        near.unwrap_err().nearest.as_deref(),
-        Some("arm_description")
-    );
+        .meant("arm_descripton", &tree.path("ws/src/own/a.xacro"));
+    assert_eq!(near.as_deref(), Some("arm_description"));
 }
 
 #[test]
@@ -210,10 +210,9 @@ fn the_package_that_is_meant() {
         // a package without files
         ("cell_gazebo", None),
     ] {
-        let error = packages
-            .find(name, &tree.path("ws/src/own/a.xacro"))
-            .unwrap_err();
-        assert_eq!(error.nearest.as_deref(), expected, "{name}");
+        let from = tree.path("ws/src/own/a.xacro");
+        assert!(packages.find(name, &from).is_err(), "{name}");
+        assert_eq!(packages.meant(name, &from).as_deref(), expected, "{name}");
     }
 }
 

@@ -329,6 +329,7 @@ mod tests {
         else {
             panic!("bit is unknown")
         };
-        assert_eq!(error.nearest.as_deref(), Some("bot"));
+        let near = packages.meant(&error.name, &tree.path("bot/urdf/x.xacro"));
+        assert_eq!(near.as_deref(), Some("bot"));
     }
 }

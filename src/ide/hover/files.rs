@@ -144,7 +144,7 @@ pub(super) fn package(cx: &Cx<'_>, world: RuleEnv<'_>, name: &str) -> Page {
             let mut page = Page::titled(format!("**package** {} not found; searched", code(name)));
             let places = missing.tried.iter().take(MOST_PLACES);
             page.list(places.map(|(_, place)| code(&vfs::slashed(place))));
-            if let Some(near) = missing.nearest {
+            if let Some(near) = world.packages.meant(name, &cx.source.path) {
                 page.add(format!("did you mean {}?", code(&near)));
             }
             page

@@ -155,7 +155,7 @@ impl Packages {
     /// The name of a package whose manifest the build makes, or that has none: what the template of the manifest or
     /// the project is called, if that project installs files for a package of its name.
     pub(super) fn unlisted_name(&self, folder: &Path) -> Option<String> {
-        self.unlisted.get(folder.to_owned(), || {
+        self.unlisted_names.get(folder.to_owned(), || {
             let project = || {
                 let lists = self.vfs.text(&folder.join(CMAKE_LISTS)).ok()?;
                 cmake::project(&lists.text).filter(|name| !name.contains('$'))

@@ -20,26 +20,35 @@ pub(super) fn manifest_around(world: RuleEnv<'_>, file: &Path) -> Option<Arc<Man
         .get(world.vfs.file_id(&path), &text, package)
 }
 
+/// The packages that a folder's package declares, and their manifests, as far as they are in the workspace.
+struct Brought(Vec<Arc<Manifest>>);
+
 /// Whether a package comes along with one of those that come along, as far as they are in the workspace.
 pub(super) fn brings(manifest: &Manifest, world: RuleEnv<'_>, from: &Path, package: &str) -> bool {
+    // each file of a package asks, about each package that it names
+    let read = || Brought(brought(manifest, world, from));
+    let brought = world.packages.of_folder::<Brought>(&manifest.folder, read);
+    brought.0.iter().any(|manifest| manifest.declares(package))
+}
+
+/// The manifests of the packages that come along with a package.
+fn brought(manifest: &Manifest, world: RuleEnv<'_>, from: &Path) -> Vec<Arc<Manifest>> {
     let mut open: Vec<String> = manifest.runtime.clone();
     let mut seen: FastSet<String> = FastSet::default();
+    let mut found = Vec::new();
     while let Some(name) = open.pop() {
-        if !seen.insert(name.clone()) || seen.len() > MOST_PACKAGES {
+        if seen.len() == MOST_PACKAGES || !seen.insert(name.clone()) {
             continue;
         }
         let Ok(folder) = world.packages.find(&name, from) else {
             continue;
         };
-        let Some(manifest) = manifest_around(world, &folder.path.join("package.xml")) else {
-            continue;
-        };
-        if manifest.declares(package) {
-            return true;
+        if let Some(manifest) = manifest_around(world, &folder.path.join("package.xml")) {
+            open.extend(manifest.runtime.iter().cloned());
+            found.push(manifest);
         }
-        open.extend(manifest.runtime.iter().cloned());
     }
-    false
+    found
 }
 
 /// The manifest of the package that a file of an expansion belongs to.

@@ -40,6 +40,8 @@ pub(in super::super) fn is_news(world: RuleEnv<'_>, nearest: Option<&str>) -> bo
 /// A package that is missing, and where one file names it.
 struct MissingPackage {
     error: NotFound,
+    /// The package that is meant.
+    nearest: Option<String>,
     places: Vec<Origin>,
     /// Whether a folder around the file has what is named: programs that know no packages look there.
     lies_around: bool,
@@ -217,6 +219,7 @@ fn look_up(
             let error = cx.world.packages.find(name, &from).err()?;
             Some(MissingPackage {
                 error,
+                nearest: cx.world.packages.meant(name, &from),
                 places: Vec::new(),
                 lies_around: lies_around(cx.world, &attr.value, &from),
             })
@@ -239,15 +242,15 @@ fn report(cx: &DocumentCx<'_>, missing: &MissingPackage, out: &mut Sink<'_>) {
     let Some((&first, others)) = missing.places.split_first() else {
         return;
     };
-    let lies_around = missing.lies_around;
-    let missing = &missing.error;
     let news = is_news(cx.world, missing.nearest.as_deref());
-    let severity = if news && !lies_around {
+    let severity = if news && !missing.lies_around {
         Severity::Warning
     } else {
         Severity::Info
     };
-    let mut report = out.report(first, message(missing)).severity(severity);
+    let mut report = out
+        .report(first, message(&missing.error))
+        .severity(severity);
     for &other in others.iter().take(MOST_PLACES) {
         report = report.also(other, "also used here");
     }
