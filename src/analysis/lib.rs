@@ -37,6 +37,7 @@ mod made_elsewhere;
 mod merge;
 mod named;
 mod options;
+mod outside_packages;
 mod parts;
 mod placing;
 mod plan;
@@ -71,6 +72,8 @@ mod generated_tests;
 mod left_over_tests;
 #[cfg(test)]
 mod made_elsewhere_tests;
+#[cfg(test)]
+mod outside_packages_tests;
 #[cfg(test)]
 mod package_tests;
 #[cfg(test)]

@@ -3,6 +3,7 @@ use std::path::{Path, PathBuf};
 
 use super::check_task::{CheckReason, CheckTask};
 use super::drift::banner;
+use super::outside_packages::settle_outside_packages;
 use super::root_result::RootResult;
 use super::session::Session;
 use base::{FastMap, FastSet, FileId};
@@ -12,6 +13,7 @@ use packages::RosVersion;
 use rules::{Category, Edit, Finding, Group, Severity, Trait, named};
 use vfs::SourceFile;
 use workspace::{Caller, Era};
+use xml::NodeKind;
 
 /// Words in the name of a file or folder that say that it is kept and not used.
 const KEPT: [&str; 19] = [
@@ -112,6 +114,7 @@ impl Session {
                 || finding.rule == named::UNPREFIXED_MACRO_CALL
                 || finding.rule == named::UNKNOWN_GEOMETRY_TYPE
                     && finding.message.starts_with("`insert_block`")
+                || finding.rule == named::MISSING_JOINT_LIMIT && self.holds_bare_block(finding)
         };
         if let Some(most) = self.lower_where(findings, about_prefixes, || {
             self.severity_of_bare_tags(&task.file)
@@ -147,6 +150,7 @@ impl Session {
         self.settle_made_elsewhere(task, findings);
         self.settle_by_use(task, findings);
         self.settle_by_purpose(&task.file, &expansion.files, findings);
+        settle_outside_packages(self, &task.file, findings);
     }
 
     /// Whether a file is plain URDF and nothing that names it runs xacro.
@@ -171,6 +175,21 @@ impl Session {
                 finding.severity = Severity::Info;
             }
         }
+    }
+
+    /// Whether the element that a finding is about inserts a block by a tag without its prefix.
+    fn holds_bare_block(&self, finding: &Finding) -> bool {
+        let Ok(source) = self.vfs.document(&self.vfs.path(finding.span.file)) else {
+            return false;
+        };
+        let start = finding.span.range.start;
+        source.document.parts().any(|(base, item)| {
+            let mut nodes = item.all_nodes();
+            let own = nodes.find(|node| {
+                node.kind() == NodeKind::Element && node.range().shift(base).start == start
+            });
+            own.is_some_and(|own| own.children().any(|child| child.name() == "insert_block"))
+        })
     }
 
     /// Whether the text that is wrong is a word that a program puts something else for: it names the file and the word.
@@ -224,7 +243,7 @@ impl Session {
     }
 
     /// Whether a file belongs to a package of rosbuild, whose xacro took tags without a prefix.
-    fn is_of_rosbuild(&self, file: &Path) -> bool {
+    pub(super) fn is_of_rosbuild(&self, file: &Path) -> bool {
         let top = self.packages.sources_around(file);
         let inside = |folder: &&Path| top.as_ref().is_none_or(|top| folder.starts_with(top));
         let has_manifest = |folder: &Path| self.vfs.is_file(&folder.join("manifest.xml"));

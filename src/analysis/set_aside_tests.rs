@@ -96,6 +96,27 @@ fn packages_of_rosbuild() {
 }
 
 #[test]
+fn limits_that_an_old_xacro_inserts() {
+    let robot = "<robot name='r' xmlns:xacro='x'><xacro:macro name='m' params='*stop'><joint name='j' type='revolute'>\
+        <parent link='base'/><child link='arm'/><insert_block name='stop'/></joint></xacro:macro><link name='base'/>\
+        <link name='arm'/><xacro:m><limit lower='0' upper='1' effort='1' velocity='1'/></xacro:m></robot>";
+    let severity = |robot: &str, command: &str| {
+        let launch = format!("<param command=\"{command} '$(find r)/urdf/r.urdf.xacro'\"/>");
+        let files = [
+            ("package.xml", "<package><name>r</name></package>"),
+            ("r.launch", launch.as_str()),
+            ("urdf/r.urdf.xacro", robot),
+        ];
+        found(&files, "missing-joint-limit")[0].1
+    };
+    let (old, new) = ("$(find xacro)/xacro.py", "$(find xacro)/xacro");
+    assert_eq!(severity(robot, old), Severity::Info);
+    assert_eq!(severity(robot, new), Severity::Error);
+    let without = robot.replace("<insert_block name='stop'/>", "");
+    assert_eq!(severity(&without, old), Severity::Error);
+}
+
+#[test]
 fn references_that_fit_another_robot() {
     let part =
         "<robot><gazebo reference='lamp'><sensor name='eye' type='camera'/></gazebo></robot>";

@@ -32,7 +32,8 @@ impl Session {
             finding.rule == named::PACKAGE_NOT_FOUND && finding.message.starts_with("none of")
         };
         self.lower_where(findings, is_far, || {
-            (!self.callers.load(file) && self.callers.run_something(file)).then_some(Severity::Info)
+            (!self.callers.launch(file) && self.callers.run_something(file))
+                .then_some(Severity::Info)
         });
         let is_of_classic = |finding: &Finding| finding.rule.has(Trait::GazeboClassic);
         self.lower_where(findings, is_of_classic, || {

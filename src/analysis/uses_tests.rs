@@ -209,10 +209,10 @@ fn robots_whose_packages_are_missing() {
         of(&[("a/run.py", "print('no robot')")]),
         Some(Severity::Info)
     );
-    assert_eq!(
-        of(&[("a/run.py", "load('r.urdf')")]),
-        Some(Severity::Warning)
-    );
+    // a program that is no part of ROS looks for no packages
+    assert_eq!(of(&[("a/run.py", "load('r.urdf')")]), Some(Severity::Info));
+    let launch = ("a/run.launch", "<param textfile='a/r.urdf'/>");
+    assert_eq!(of(&[launch]), Some(Severity::Warning));
 }
 
 #[test]

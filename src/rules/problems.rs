@@ -11,7 +11,7 @@ use super::xacro::{
     redefined_macro, shadowed_builtin, unknown_macro_param, unknown_xacro_attribute,
 };
 use super::xml::{XML_ENCODING_MISMATCH, missing_xacro_namespace, xml_syntax_error};
-use base::{FastMap, FileId, Span, TextRange};
+use base::{FastMap, FastSet, FileId, Span, TextRange};
 use expand::{Expansion, Problem, ProblemKind, TraceStep};
 use vfs::Vfs;
 use xml::{Document, SyntaxError, SyntaxErrorKind};
@@ -150,10 +150,17 @@ pub(super) fn findings(
     world: RuleEnv<'_>,
 ) -> Vec<Finding> {
     let root = expansion.files.first().map(|file| &*file.source.path);
+    let refused = refused_names(expansion);
+    // an expression cannot read a name that its definition must not have: that is said there
+    let follows = |problem: &Problem| {
+        problem.kind == ProblemKind::InvalidExpression
+            && !refused.is_empty()
+            && text_at(expansion, problem).is_some_and(|text| reads_only(&text, &refused))
+    };
     let problems = expansion
         .problems
         .iter()
-        .filter(|problem| !explained(problem));
+        .filter(|problem| !explained(problem) && !follows(problem));
     let mut found: Vec<Finding> = problems
         .filter_map(|problem| {
             let mut found = finding(expansion, problem, world.vfs)?;
@@ -171,6 +178,28 @@ pub(super) fn findings(
         .collect();
     excuse_packages(&mut found, world);
     found
+}
+
+/// The names of properties that no property may have.
+fn refused_names(expansion: &Expansion) -> FastSet<String> {
+    let problems = expansion.problems.iter();
+    problems
+        .filter(|problem| problem.kind == ProblemKind::InvalidPropertyName)
+        .filter_map(|problem| text_at(expansion, problem))
+        .collect()
+}
+
+/// Whether a text has names that start with `__`, and all of them are refused ones.
+fn reads_only(text: &str, refused: &FastSet<String>) -> bool {
+    let words = text.split(|c: char| !c.is_alphanumeric() && c != '_');
+    let mut names = words.filter(|word| word.starts_with("__")).peekable();
+    names.peek().is_some() && names.all(|name| refused.contains(name))
+}
+
+/// The text that a problem is about.
+fn text_at(expansion: &Expansion, problem: &Problem) -> Option<String> {
+    let file = expansion.files.get(problem.place.file)?;
+    Some(file.source.document.slice(problem.place.range))
 }
 
 /// What makes xacro reject a file.

@@ -8,6 +8,7 @@ use super::super::grouping::Group;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use base::FastSet;
+use expand::SymbolKind;
 use facts::{Fact, FactKind, facts};
 use memchr::memmem::Finder;
 use model::Gazebo;
@@ -34,7 +35,9 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
             continue;
         };
         let Some(name) = text.name() else { continue };
-        if cx.kinematics.link(name).is_some() || joints.contains(name.as_str()) {
+        let is_known = cx.kinematics.link(name).is_some() || joints.contains(name.as_str());
+        // where the `$` is missing, that is said
+        if is_known || lacks_dollar(cx, name) {
             continue;
         }
         let links = cx.robot.links.iter().map(|link| link.shown());
@@ -53,7 +56,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
             Some(near) => {
                 // the part that the name resembles has its color
                 let is_left_over =
-                    is_color(cx, block) && has_own(cx, near) || is_commented_out(cx, name);
+                    changes_nothing(cx, block) && has_own(cx, near) || is_commented_out(cx, name);
                 let severity = if is_left_over { Severity::Info } else { RULE.severity };
                 let report =
                     report.severity(severity).help(Help::did_you_mean(near).and("SDFormat ignores an element with an unknown reference"));
@@ -67,6 +70,19 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     }
 }
 
+/// Whether a name holds the one of a property or parameter in braces without `$`.
+fn lacks_dollar(cx: &RobotCx<'_>, name: &str) -> bool {
+    let inside = name
+        .split_once('{')
+        .and_then(|(_, rest)| rest.split_once('}'));
+    let mut definitions = cx.expansion.index.symbols.definitions.iter();
+    inside.is_some_and(|(inside, _)| {
+        definitions.any(|one| {
+            matches!(one.kind, SymbolKind::Property | SymbolKind::Parameter) && one.name == inside
+        })
+    })
+}
+
 /// Without a similar name, what is said of a link that the robot does not have is mostly left over from another robot, and
 /// nothing is lost. Not so sensors and plugins, names that share a word with those of the robot, and links between joints.
 fn severity(cx: &RobotCx<'_>, block: &Gazebo, name: &str) -> Severity {
@@ -74,7 +90,11 @@ fn severity(cx: &RobotCx<'_>, block: &Gazebo, name: &str) -> Severity {
         return Severity::Warning;
     }
     let is_meant = holds_device(cx, block) || shares_word(cx, name);
-    if is_meant && !is_color(cx, block) && !is_written(cx, name) && !is_commented_out(cx, name) {
+    if is_meant
+        && !changes_nothing(cx, block)
+        && !is_written(cx, name)
+        && !is_commented_out(cx, name)
+    {
         Severity::Warning
     } else {
         Severity::Info
@@ -155,9 +175,10 @@ fn has_own(cx: &RobotCx<'_>, name: &str) -> bool {
     named.any(|text| text.value == name)
 }
 
-/// Whether an element gives a color and nothing else: without it, nothing behaves differently.
-fn is_color(cx: &RobotCx<'_>, block: &Gazebo) -> bool {
+/// Whether an element gives a color or keeps a fixed joint, and nothing else: without it, nothing behaves differently.
+fn changes_nothing(cx: &RobotCx<'_>, block: &Gazebo) -> bool {
+    const IDLE: [&str; 3] = ["disableFixedJointLumping", "material", "preserveFixedJoint"];
     let tree = &cx.expansion.tree;
     tree.elements(block.element)
-        .all(|child| tree.get(child).text == "material")
+        .all(|child| IDLE.contains(&tree.get(child).text.as_str()))
 }

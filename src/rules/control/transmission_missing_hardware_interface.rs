@@ -3,7 +3,7 @@ use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use expand::XTree;
-use model::{AttrValue, Transmission, tag_start};
+use model::{AttrValue, Robot, Transmission, tag_start};
 use packages::RosVersion;
 
 pub(in super::super) static RULE: Rule = Rule {
@@ -27,6 +27,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     // in ROS 2, nothing reads transmissions outside of <ros2_control>
     let severity = match root.and_then(|root| cx.world.packages.generation(root)) {
         Some(RosVersion::Ros2) => Severity::Info,
+        _ if is_driven_otherwise(tree, robot) => Severity::Info,
         _ => Severity::Warning,
     };
     for transmission in robot
@@ -47,6 +48,22 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             }
         }
     }
+}
+
+/// Whether a plugin of Gazebo drives a robot, and none of its plugins runs controllers, which read transmissions.
+fn is_driven_otherwise(tree: &XTree, robot: &Robot) -> bool {
+    let plugins = || {
+        let blocks = robot.gazebo.iter();
+        let inside = blocks.flat_map(|block| tree.elements(block.element));
+        inside.filter(|&child| tree.get(child).text == "plugin")
+    };
+    let has = |words: &[&str]| {
+        plugins().any(|plugin| {
+            let file = tree.attr(plugin, "filename");
+            file.is_some_and(|file| words.iter().any(|word| file.value.contains(word)))
+        })
+    };
+    has(&["_drive", "_move"]) && !has(&["control"])
 }
 
 /// Whether a transmission is ROS 1's simple one.

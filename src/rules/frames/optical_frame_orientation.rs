@@ -28,7 +28,7 @@ const TOLERANCE: f64 = 0.01;
 /// Rounding of no turn: what is turned by more than this was measured.
 const UNTURNED: f64 = 1e-6;
 /// How far a camera may be off by what was measured.
-const CALIBRATED: f64 = 0.1;
+const CALIBRATED: f64 = 0.2;
 /// The part of a direction along x up to which it is across.
 const ASIDE: f64 = 0.1;
 

@@ -42,12 +42,41 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         let moves = above.is_some_and(|kind| kind != JointType::Fixed);
         if moves && link.has_geometry() && link.inertial.is_none() && !carries_mass(cx, index) {
             let message = format!("moving link `{}` has no `inertial`", name.value);
+            let is_picture = is_drawn_linkage(cx, index);
             out.report(name.origin, message)
-                .severity(severity)
+                .severity(if is_picture { Severity::Info } else { severity })
                 .help("add an <inertial> with mass and inertia; Gazebo ignores the link, its joint and its children otherwise")
                 .done();
         }
     }
+}
+
+/// Whether a link is the bar of a linkage that is only drawn: neither it nor what hangs on it has a collision or a mass, and one of
+/// their joints moves as another one does.
+fn is_drawn_linkage(cx: &RobotCx<'_>, link: usize) -> bool {
+    let mut joints: Vec<usize> = cx.kinematics.parent_joints(link).to_vec();
+    let mut open = vec![link];
+    let mut seen = FastSet::default();
+    while let Some(link) = open.pop() {
+        if !seen.insert(link) {
+            continue;
+        }
+        let own = cx.robot.links.get(link);
+        if own.is_none_or(|own| !own.collisions.is_empty() || own.inertial.is_some()) {
+            return false;
+        }
+        let below = cx.kinematics.child_joints(link);
+        joints.extend(below);
+        open.extend(
+            below
+                .iter()
+                .filter_map(|&joint| Some(cx.kinematics.ends(joint)?.1)),
+        );
+    }
+    let mut joints = joints
+        .into_iter()
+        .filter_map(|joint| cx.robot.joints.get(joint));
+    joints.any(|joint| joint.mimic.is_some())
 }
 
 /// Whether a simulator loads the robot: a Gazebo tag or hardware of a simulator says so. A ros2_control block for

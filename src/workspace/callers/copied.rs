@@ -28,7 +28,10 @@ const MARKS: [&str; 12] = [
 ];
 
 /// Folders of what others have written.
-const OTHERS: [&str; 5] = [
+const OTHERS: [&str; 8] = [
+    "external",
+    "externals",
+    "vendor",
     "third_party",
     "thirdparty",
     "third-party",
@@ -69,6 +72,14 @@ impl Callers {
     /// The folder of the repository of others that a file was copied with into this workspace.
     pub fn copied_with(&self, file: &Path) -> Option<PathBuf> {
         around(&self.copies(file), file).map(Path::to_owned)
+    }
+
+    /// Whether a file lies in a folder of what others have written.
+    pub fn is_of_others(&self, file: &Path) -> bool {
+        let top = self.packages.sources_around(file);
+        let inside = |folder: &&Path| top.as_ref().is_some_and(|top| folder.starts_with(top));
+        let mut folders = file.ancestors().skip(1).take_while(inside);
+        folders.any(is_below_others)
     }
 
     /// Whether a file belongs to a repository of others that was copied into this workspace, and nothing else in the workspace

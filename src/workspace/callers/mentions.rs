@@ -177,7 +177,13 @@ impl TextMentions {
                     found.merge(own);
                 } else {
                     found.add_generation(path, &text.text);
+                    let runs_classic = found.runs_classic;
                     found.add(path, &read::without_comments(name, &text.text), &names);
+                    // ROS 2 cannot run a launch file of ROS 1
+                    let is_of_ros1 = path.extension().is_some_and(|ending| ending == "launch");
+                    if is_of_ros1 && packages.is_for_ament(path) {
+                        found.runs_classic = runs_classic;
+                    }
                 }
             }
         });
