@@ -72,8 +72,13 @@ impl Session {
 fn line(finding: &Finding) -> String {
     let span = finding.span.range;
     format!(
-        "{}..{} {} {}",
-        span.start, span.end, finding.rule.name, finding.message
+        "{}..{} {:?} {} {} {:?}",
+        span.start,
+        span.end,
+        finding.severity,
+        finding.rule.name,
+        finding.message,
+        finding.help.as_deref()
     )
 }
 
@@ -274,4 +279,50 @@ fn calls_that_were_settled_are_asked_again_when_something_else_decides() {
         let fresh = Session::over(folder, &texts(new.clone())).findings();
         assert_eq!(session.findings(), fresh, "round {round}: {new}");
     }
+}
+
+#[test]
+fn edited_manifests_count() {
+    let folder = std::env::temp_dir().join(format!("edited-manifests-{}", std::process::id()));
+    let manifest =
+        |name: &str, needs: &str| format!("<package><name>{name}</name>{needs}</package>");
+    let files = [
+        ("arm/package.xml", manifest("arm", "<exec_depend>tool</exec_depend>")),
+        ("tool/package.xml", manifest("tool", "")),
+        ("camera/package.xml", manifest("camera", "")),
+        ("camera/lens.stl", String::new()),
+        (
+            "arm/arm.urdf",
+            "<robot name='arm'><link name='base'><visual><geometry>\
+             <mesh filename='package://camera/lens.stl'/><mesh filename='package://camra/lens.stl'/>\
+             </geometry></visual></link></robot>"
+                .to_owned(),
+        ),
+    ];
+    let mut texts = BTreeMap::new();
+    for (name, text) in &files {
+        let path = folder.join(name);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(&path, text).unwrap();
+        if !name.ends_with("stl") {
+            texts.insert(path, text.clone());
+        }
+    }
+    let tool = folder.join("tool/package.xml");
+    let mut session = Session::over(&folder, &texts);
+    let first = session.findings();
+    for needs in [
+        // it brings along what the arm names
+        "<exec_depend>camera</exec_depend>",
+        // it needs the package that is missing: that is no slip
+        "<exec_depend>camra</exec_depend>",
+        "",
+    ] {
+        let text = session.texts[&tool].clone();
+        session.edit(&tool, 0, text.len(), &manifest("tool", needs));
+        let found = session.findings();
+        assert_eq!(found, Session::over(&folder, &session.texts).findings());
+        assert_eq!(found == first, needs.is_empty(), "{needs}: {found:#?}");
+    }
+    fs::remove_dir_all(&folder).unwrap();
 }

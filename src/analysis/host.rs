@@ -231,6 +231,7 @@ impl AnalysisHost {
             // manifests are read by rules, which no record tells of
             _ => {
                 self.epoch += 1;
+                self.session.packages.forget_dependencies();
                 self.session.forget_pairings();
             }
         }

@@ -326,6 +326,13 @@ impl Packages {
         self.unlisted.clear();
     }
 
+    /// Forget what manifests depend on: the text of one has changed.
+    pub fn forget_dependencies(&self) {
+        self.meant.clear();
+        self.mentioned.clear();
+        self.others.clear();
+    }
+
     /// Names and folders of the packages below a folder of sources.
     pub fn below(&self, top: &Path) -> Vec<(String, PathBuf)> {
         self.tree(top, Rules::Workspace).packages().to_vec()
