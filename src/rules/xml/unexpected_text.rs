@@ -62,10 +62,7 @@ fn report(cx: &DocumentCx<'_>, parent: XId, text: XId, out: &mut Sink<'_>) {
     );
     // what other languages write in front of a comment
     let is_comment = ["#", "//"].iter().any(|start| shown.starts_with(start));
-    // a key that was hit by mistake
-    let is_slip = shown.chars().count() == 1;
-    let is_harmless =
-        is_comment || is_slip || is_prose(cx, parent, &shown) || is_left_over(cx, parent, text);
+    let is_harmless = is_comment || is_prose(cx, parent, &shown) || is_left_over(cx, parent, text);
     out.report(trimmed(cx, node.origin), message)
         .severity(if is_harmless {
             Severity::Info

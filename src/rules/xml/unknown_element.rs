@@ -89,10 +89,7 @@ fn report(
         .group(group);
     let Some((near, sure)) = near else {
         let (severity, help) = unlike_all(name, parent);
-        let is_idle = is_identity(cx, id, name)
-            || is_bare(cx, id)
-            || is_zero_pose(cx, id, name)
-            || is_foreign(name, parent);
+        let is_idle = is_identity(cx, id, name) || is_bare(cx, id) || is_zero_pose(cx, id, name);
         let severity = if is_idle { Severity::Hint } else { severity };
         return report.severity(severity).help(help).done();
     };
@@ -178,18 +175,6 @@ fn unlike_all(name: &str, parent: &ElementSpec) -> (Severity, String) {
         )
     };
     (severity, help)
-}
-
-/// Whether an element says something that its place has nothing of: a joint has no color and no shape, a link no axis, and a
-/// mass no shape. Nothing that was meant is lost with it.
-fn is_foreign(name: &str, parent: &ElementSpec) -> bool {
-    const SHAPES: [&str; 5] = ["box", "cylinder", "geometry", "mesh", "sphere"];
-    match parent.name {
-        "joint" => name == "material" || SHAPES.contains(&name),
-        "inertial" => name == "material" || SHAPES.contains(&name),
-        "link" | "visual" | "collision" => name == "axis",
-        _ => false,
-    }
 }
 
 /// Whether an element has no content and no attribute: nothing is lost without it.
