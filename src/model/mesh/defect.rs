@@ -14,6 +14,8 @@ pub struct Defect {
 pub enum DefectKind {
     /// Readers refuse it, or show nothing.
     Corrupt,
+    /// It has no bytes: a copy that failed, or a place for a file that comes later.
+    Empty,
     /// A note of Git LFS stands in its place.
     LfsPointer,
     /// It can be read, but strict readers refuse it.
@@ -31,6 +33,13 @@ impl Defect {
         Self {
             kind: DefectKind::Corrupt,
             message: message.into(),
+        }
+    }
+
+    pub(super) fn empty() -> Self {
+        Self {
+            kind: DefectKind::Empty,
+            message: "the file is empty".to_owned(),
         }
     }
 

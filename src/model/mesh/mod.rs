@@ -122,11 +122,12 @@ fn draft(
     };
     let read = match format {
         _ if is_lfs_pointer(bytes) => Err(lfs_pointer()),
+        MeshFormat::Other => Err(Defect::unread("its format is not supported")),
+        _ if bytes.is_empty() => Err(Defect::empty()),
         MeshFormat::StlAscii | MeshFormat::StlBinary { .. } => stl::read(bytes, &mut draft),
         MeshFormat::Obj => obj::read(bytes, beside, &mut draft),
         MeshFormat::Dae => dae::read(&vfs::text_of(bytes.to_vec()), &mut draft),
         MeshFormat::Gltf => gltf::read(bytes, beside, &mut draft),
-        MeshFormat::Other => Err(Defect::unread("its format is not supported")),
     };
     (draft, read)
 }

@@ -1,7 +1,8 @@
 //! A controller with an interface that its joints do not offer.
 use super::super::beside::BesideCx;
+use super::super::grouping::Group;
 use super::super::rule::{Category, Rule, Severity, page};
-use super::super::sink::Sink;
+use super::super::sink::{Reported, Sink};
 use super::hardware::HardwareJoints;
 use project::{Controller, SpannedName, is_computed};
 
@@ -160,15 +161,21 @@ fn check_with(
                 .find(|joint| lacks(&joint.name, &interface.name, is_command));
             if let Some(joint) = lacking {
                 let what = (joint.name.as_str(), interface.name.as_str(), is_command);
-                report(cx, out, (hardware, severity), interface, what);
+                if let Some(report) = report(cx, out, (hardware, severity), interface, what) {
+                    report.done();
+                }
             }
         }
         for (_, key, interface) in fixed {
             let lacking =
                 joints(controller, key).filter(|joint| lacks(&joint.name, interface, true));
+            // the joints of a controller are of one kind, and what they offer is set in one place
+            let group = Group::Name(controller.name.name.clone());
             lacking.for_each(|joint| {
                 let what = (joint.name.as_str(), *interface, true);
-                report(cx, out, (hardware, severity), joint, what)
+                if let Some(report) = report(cx, out, (hardware, severity), joint, what) {
+                    report.group(group.clone()).done();
+                }
             });
         }
     }
@@ -213,16 +220,16 @@ pub(super) fn class_of<'a>(cx: &BesideCx<'a>, controller: &'a Controller) -> Opt
     class.map(|class| class.name.as_str())
 }
 
-/// Report, at a place, that a joint lacks an interface.
-fn report(
+/// Report, at a place, that a joint lacks an interface; none when it may have it.
+fn report<'s, 'e>(
     cx: &BesideCx<'_>,
-    out: &mut Sink<'_>,
+    out: &'s mut Sink<'e>,
     (hardware, severity): (&HardwareJoints<'_>, Severity),
     place: &SpannedName,
     (joint, interface, is_command): (&str, &str, bool),
-) {
+) -> Option<Reported<'s, 'e>> {
     if cx.may_offer(joint, interface, is_command) {
-        return;
+        return None;
     }
     let kind = if is_command { "command" } else { "state" };
     let message = format!("joint `{joint}` has no {kind} interface `{interface}`");
@@ -241,7 +248,7 @@ fn report(
         )
     };
     let report = cx.report(out, place, message).severity(severity);
-    report.help(help).done();
+    Some(report.help(help))
 }
 
 /// The interfaces that a controller names, with whether each is for commands.

@@ -24,7 +24,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             continue;
         };
         let (severity, help) = match defect.kind {
-            DefectKind::Corrupt => (Severity::Error, "export or copy the file again"),
+            DefectKind::Corrupt | DefectKind::Empty => {
+                (Severity::Error, "export or copy the file again")
+            }
             DefectKind::LfsPointer if is_in_git_lfs(cx, &mesh) => {
                 (Severity::Info, "run `git lfs pull` to download the file")
             }
@@ -46,8 +48,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             mesh.link.shown(),
             defect.message
         );
-        // a checkout without Git LFS has none of its files
+        // a checkout without Git LFS has none of its files, and where a copy fails, or files are to come later, many are empty
         let group = match defect.kind {
+            DefectKind::Empty => Group::Thing("empty files".into()),
             DefectKind::LfsPointer => Group::Thing("files of Git LFS".into()),
             _ => mesh.group(),
         };

@@ -115,7 +115,9 @@ fn is_about_joint(cx: &DocumentCx<'_>, link: &Link, inertial: &Inertial, most: f
 pub(super) fn is_error(cx: &DocumentCx<'_>, link: &Link, inertial: &Inertial) -> bool {
     let judged = judged(inertial);
     let Some(Impossible {
-        moments: [a, b, c], ..
+        moments: [a, b, c],
+        is_rounded: false,
+        ..
     }) = judged.impossible.as_ref()
     else {
         return false;

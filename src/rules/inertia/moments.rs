@@ -47,6 +47,8 @@ pub(super) struct Impossible {
     pub moments: [f64; 3],
     /// The same for people.
     pub shown: [String; 3],
+    /// Whether it may be so by the digits that were left out.
+    pub is_rounded: bool,
     /// What is the same of inertias with the same numbers.
     pub numbers: EcoString,
 }
@@ -65,6 +67,7 @@ pub(super) fn judged(inertial: &Inertial) -> Arc<Judged> {
                 Some(Impossible {
                     moments,
                     shown: moments.map(short),
+                    is_rounded: is_rounded(inertial, c - a - b, c),
                     numbers: same_numbers(inertial),
                 })
             }
@@ -72,6 +75,27 @@ pub(super) fn judged(inertial: &Inertial) -> Arc<Judged> {
         };
         Arc::new(Judged { class, impossible })
     })
+}
+
+/// Whether the largest moment is too large by what the digits leave open in which the moments are written: those of a thin disc are
+/// 0.0125, 0.0125 and 0.025, or 0.012, 0.012 and 0.025.
+fn is_rounded(inertial: &Inertial, excess: f64, most: f64) -> bool {
+    /// Numbers of one digit leave nearly everything open.
+    const OPEN: f64 = 0.05;
+    let [xx, _, _, yy, _, zz] = &inertial.inertia;
+    let digits = [xx, yy, zz].map(|text| Some(last_digit(&text.as_ref()?.value)));
+    let open: Option<f64> = digits.into_iter().sum();
+    excess <= OPEN * most && open.is_some_and(|open| excess <= open / 2.0)
+}
+
+/// What one stands for in the last digit of a decimal number.
+fn last_digit(number: &str) -> f64 {
+    let number = number.trim().to_ascii_lowercase();
+    let (digits, exponent) = number.split_once('e').unwrap_or((&number, "0"));
+    let behind_point = digits.split_once('.').map_or(0, |(_, digits)| digits.len());
+    let behind_point = i32::try_from(behind_point).unwrap_or(i32::MAX);
+    let exponent: i32 = exponent.parse().unwrap_or_default();
+    10f64.powi(exponent.saturating_sub(behind_point))
 }
 
 fn same_numbers(inertial: &Inertial) -> EcoString {

@@ -34,8 +34,14 @@ pub(in super::super) fn is_unprefixed(
             || node.name() == "include" && node.attr("filename").is_some()
     };
     (is_forgotten_prefix(node.name()) && declares(document) || is_own() && is_in_xacro(expansion))
+        && !is_of_maker(node)
         && is_of_robot(expansion, document)
         && !is_ignored(node)
+}
+
+/// Whether an element is the `property` of a maker, as in `<property motor_constant="0.1"/>`: that of xacro needs a name.
+fn is_of_maker(node: Node<'_>) -> bool {
+    node.name() == "property" && node.attrs().next().is_some() && node.attr("name").is_none()
 }
 
 /// Whether xacro ignores an element whatever its name is, as a child of an include.
