@@ -2,7 +2,7 @@
 use super::super::beside::BesideCx;
 use super::super::grouping::Group;
 use super::super::rule::{Category, Rule, Severity, page};
-use super::super::sink::{Reported, Sink};
+use super::super::sink::Sink;
 use super::hardware::HardwareJoints;
 use project::{Controller, SpannedName, is_computed};
 
@@ -161,9 +161,7 @@ fn check_with(
                 .find(|joint| lacks(&joint.name, &interface.name, is_command));
             if let Some(joint) = lacking {
                 let what = (joint.name.as_str(), interface.name.as_str(), is_command);
-                if let Some(report) = report(cx, out, (hardware, severity), interface, what) {
-                    report.done();
-                }
+                report(cx, out, (hardware, severity), (interface, None), what);
             }
         }
         for (_, key, interface) in fixed {
@@ -173,9 +171,7 @@ fn check_with(
             let group = Group::Name(controller.name.name.clone());
             lacking.for_each(|joint| {
                 let what = (joint.name.as_str(), *interface, true);
-                if let Some(report) = report(cx, out, (hardware, severity), joint, what) {
-                    report.group(group.clone()).done();
-                }
+                report(cx, out, (hardware, severity), (joint, Some(&group)), what);
             });
         }
     }
@@ -220,16 +216,16 @@ pub(super) fn class_of<'a>(cx: &BesideCx<'a>, controller: &'a Controller) -> Opt
     class.map(|class| class.name.as_str())
 }
 
-/// Report, at a place, that a joint lacks an interface; none when it may have it.
-fn report<'s, 'e>(
+/// Report, at a place, that a joint lacks an interface.
+fn report(
     cx: &BesideCx<'_>,
-    out: &'s mut Sink<'e>,
+    out: &mut Sink<'_>,
     (hardware, severity): (&HardwareJoints<'_>, Severity),
-    place: &SpannedName,
+    (place, group): (&SpannedName, Option<&Group>),
     (joint, interface, is_command): (&str, &str, bool),
-) -> Option<Reported<'s, 'e>> {
+) {
     if cx.may_offer(joint, interface, is_command) {
-        return None;
+        return;
     }
     let kind = if is_command { "command" } else { "state" };
     let message = format!("joint `{joint}` has no {kind} interface `{interface}`");
@@ -247,8 +243,11 @@ fn report<'s, 'e>(
             offered.join("`, `")
         )
     };
-    let report = cx.report(out, place, message).severity(severity);
-    Some(report.help(help))
+    let report = cx.report(out, place, message).severity(severity).help(help);
+    match group {
+        Some(group) => report.group(group.clone()).done(),
+        None => report.done(),
+    }
 }
 
 /// The interfaces that a controller names, with whether each is for commands.
