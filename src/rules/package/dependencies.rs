@@ -20,19 +20,20 @@ pub(super) fn manifest_around(world: RuleEnv<'_>, file: &Path) -> Option<Arc<Man
         .get(world.vfs.file_id(&path), &text, package)
 }
 
-/// The packages that a folder's package declares, and their manifests, as far as they are in the workspace.
+/// The manifests of the packages that come along with a package.
 struct Brought(Vec<Arc<Manifest>>);
 
 /// Whether a package comes along with one of those that come along, as far as they are in the workspace.
-pub(super) fn brings(manifest: &Manifest, world: RuleEnv<'_>, from: &Path, package: &str) -> bool {
+pub(super) fn brings(manifest: &Manifest, world: RuleEnv<'_>, package: &str) -> bool {
     // each file of a package asks, about each package that it names
-    let read = || Brought(brought(manifest, world, from));
+    let read = || Brought(brought(manifest, world));
     let brought = world.packages.of_folder::<Brought>(&manifest.folder, read);
     brought.0.iter().any(|manifest| manifest.declares(package))
 }
 
-/// The manifests of the packages that come along with a package.
-fn brought(manifest: &Manifest, world: RuleEnv<'_>, from: &Path) -> Vec<Arc<Manifest>> {
+/// The manifests of the packages that come along with a package, which are looked for from there: whoever asks gets the same.
+fn brought(manifest: &Manifest, world: RuleEnv<'_>) -> Vec<Arc<Manifest>> {
+    let from = manifest.folder.join("package.xml");
     let mut open: Vec<String> = manifest.runtime.clone();
     let mut seen: FastSet<String> = FastSet::default();
     let mut found = Vec::new();
@@ -40,7 +41,7 @@ fn brought(manifest: &Manifest, world: RuleEnv<'_>, from: &Path) -> Vec<Arc<Mani
         if seen.len() == MOST_PACKAGES || !seen.insert(name.clone()) {
             continue;
         }
-        let Ok(folder) = world.packages.find(&name, from) else {
+        let Ok(folder) = world.packages.find(&name, &from) else {
             continue;
         };
         if let Some(manifest) = manifest_around(world, &folder.path.join("package.xml")) {

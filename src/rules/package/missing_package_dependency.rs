@@ -40,8 +40,7 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
         }
         let (span, content) = manifest.addition(name);
         // what a condition brings in may be optional, and what another dependency brings along is there
-        let comes_along =
-            mention.is_conditional || brings(&manifest, cx.world, &cx.source.path, name);
+        let comes_along = mention.is_conditional || brings(&manifest, cx.world, name);
         let severity = if comes_along || needs(cx, name, &manifest.name) {
             Severity::Info
         } else {
@@ -69,8 +68,7 @@ fn needs(cx: &FileCx<'_>, name: &str, own: &str) -> bool {
         return false;
     };
     let manifest = manifest_around(cx.world, &found.path.join("package.xml"));
-    manifest
-        .is_some_and(|manifest| manifest.declares(own) || brings(&manifest, cx.world, from, own))
+    manifest.is_some_and(|manifest| manifest.declares(own) || brings(&manifest, cx.world, own))
 }
 
 /// Whether no such package is known: that is said elsewhere.
