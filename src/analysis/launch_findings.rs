@@ -8,12 +8,13 @@ use ecow::EcoString;
 use super::config_findings::arguments;
 use super::declared::KnownArguments;
 use super::includes::reach;
+use super::launched_descriptions::LaunchedDescriptions;
 use super::options::CheckOptions;
 use super::session::Session;
 use super::walk::is_launch;
 use base::{CancelFlag, FastSet, Span, TextRange};
 use packages::nearest;
-use rules::{Finding, Group, Severity, launched_file_not_found, named, unknown_launch_argument};
+use rules::{Finding, Group, Severity, named, unknown_launch_argument};
 use workspace::launch::{CallArgument, LaunchCall};
 use workspace::{RobotCall, has_name};
 
@@ -37,6 +38,7 @@ impl Session {
                 &mut known,
                 &mut found,
             );
+            self.findings_of_loads(&self.callers.loads_below(&folder), &mut found);
             found.extend(self.outside_choices(&folder, |_| true));
         }
         // folders may be inside of others
@@ -68,6 +70,9 @@ impl Session {
             .iter()
             .filter_map(|path| self.packages.sources_around(path));
         for top in tops.collect::<BTreeSet<PathBuf>>() {
+            let mut loads = self.callers.loads_below(&top).to_vec();
+            loads.retain(|load| launch_files.contains(&&load.call.caller));
+            self.findings_of_loads(&loads, &mut found);
             found.extend(self.outside_choices(&top, |path| launch_files.contains(&path)));
         }
         found
@@ -90,12 +95,7 @@ impl Session {
             };
             let before = found.len();
             self.findings_of(group, known, found);
-            if found.len() > before && self.is_launch_left_over(&call.call.caller) {
-                found
-                    .iter_mut()
-                    .skip(before)
-                    .for_each(|one| one.severity = one.severity.min(Severity::Info));
-            }
+            self.lower_left_over(&call.call.caller, found, before);
         }
         group_by_argument(found);
         for (robot, known) in &*known {
@@ -105,6 +105,26 @@ impl Session {
             if !of.is_empty() {
                 found.extend(self.value_findings(robot, known, &of));
             }
+        }
+    }
+
+    /// What is wrong in descriptions that are loaded without xacro, which are in the order of the places.
+    fn findings_of_loads(&self, loads: &[RobotCall], found: &mut Vec<Finding>) {
+        for group in loads.chunk_by(|a, b| place(&a.call) == place(&b.call)) {
+            let Some(load) = group.first().filter(|load| self.is_checked(load)) else {
+                continue;
+            };
+            let before = found.len();
+            found.extend(LaunchedDescriptions(self).missing_load(group));
+            self.lower_left_over(&load.call.caller, found, before);
+        }
+    }
+
+    /// What is found from a place on in a launch file that nobody runs is an info.
+    fn lower_left_over(&self, caller: &Path, found: &mut [Finding], from: usize) {
+        if found.len() > from && self.is_launch_left_over(caller) {
+            let own = found.iter_mut().skip(from);
+            own.for_each(|one| one.severity = one.severity.min(Severity::Info));
         }
     }
 
@@ -179,12 +199,6 @@ impl Session {
         unknown.map(with_near).collect()
     }
 
-    /// Whether a path is written with backslashes, which separate folders on Windows.
-    fn has_backslash(&self, span: Span) -> bool {
-        let text = self.vfs.text(&self.vfs.path(span.file));
-        text.is_ok_and(|file| span.range.slice(&file.text).contains('\\'))
-    }
-
     /// What is wrong in one call, with all the arguments that its launch file is included with.
     fn findings_of(
         &self,
@@ -197,20 +211,7 @@ impl Session {
             .filter_map(|call| call.target.as_ref())
             .collect();
         let is_there = |path: &&&PathBuf| self.vfs.is_file(path);
-        if let Some(missing) = group.iter().find(|call| self.is_missing(call))
-            && !targets.iter().any(|path| self.vfs.is_file(path))
-        {
-            let place = missing.call.file.place().unwrap_or(missing.call.range);
-            let span = Span {
-                file: self.vfs.file_id(&missing.call.caller),
-                range: place,
-            };
-            let mut finding = launched_file_not_found(span, &missing.call.file.shown());
-            if self.has_backslash(span) {
-                finding.severity = Severity::Info;
-            }
-            found.push(finding);
-        }
+        found.extend(LaunchedDescriptions(self).missing_in(group));
         let robots: Vec<(&PathBuf, Arc<KnownArguments>)> = targets
             .iter()
             .filter(is_there)
@@ -262,23 +263,6 @@ impl Session {
         [("Condition(", '\n'), (" if=\"", '"'), (" unless=\"", '"')]
             .into_iter()
             .any(|(before, after)| has_name_between(&file.text, name, before, after))
-    }
-
-    /// Whether a call names a file in the tree that is not there.
-    fn is_missing(&self, call: &RobotCall) -> bool {
-        let Some(path) = call.target.as_ref().filter(|path| !self.vfs.exists(path)) else {
-            return false;
-        };
-        // `$(arg robot).urdf` where the argument is empty by default, and somebody else gives it
-        if path
-            .file_name()
-            .is_some_and(|name| name.to_string_lossy().starts_with('.'))
-        {
-            return false;
-        }
-        // of a path by itself, where it starts is not known
-        let is_in_package = call.call.file.in_package().is_some();
-        is_in_package && self.packages.containing(path).is_some()
     }
 
     /// The arguments that a description and everything that it may include declare or read, in any branch.
@@ -477,7 +461,10 @@ mod tests {
             .map(|f| {
                 let text = session.vfs.text(&session.vfs.path(f.span.file)).unwrap();
                 let help = f.help.clone().unwrap_or_default();
-                let near = help.strip_prefix("did you mean ").unwrap_or("");
+                let near = ["did you mean ", "correct the path: "]
+                    .iter()
+                    .find_map(|lead| help.strip_prefix(lead))
+                    .unwrap_or("");
                 format!(
                     "{} {} @{} {near}",
                     f.severity,
@@ -568,5 +555,28 @@ mod tests {
         );
         check_launch(&gone.replace("'arm'", "'elsewhere'"), &[], &[]);
         check_launch(&gone, &[("arm/urdf/gone.urdf.xacro.in", "<robot/>")], &[]);
+        let misspelled = command("").replace("arm.urdf", "Arm.urdf");
+        check_launch(
+            &misspelled,
+            &[],
+            &[
+                "warning file `$(find arm)/urdf/Arm.urdf.xacro` does not exist @'/urdf/Arm.urdf.xacro' \
+                 there is `urdf/arm.urdf.xacro`",
+            ],
+        );
+    }
+
+    #[test]
+    fn descriptions_that_are_loaded_as_they_are() {
+        let load = "open(get_package_share_directory('arm') + '/urdf/gone.urdf').read()\n";
+        let gone = "warning file `$(find arm)/urdf/gone.urdf` does not exist @'/urdf/gone.urdf'";
+        check_launch(load, &[], &[gone]);
+        check_launch(load, &[("arm/urdf/gone.urdf", "<robot/>")], &[]);
+        check_launch(&load.replace("'arm'", "'elsewhere'"), &[], &[]);
+        // a program that makes the file, or looks for it
+        check_launch(&format!("{load}os.path.exists(path)"), &[], &[]);
+        check_launch(&format!("{load}open(path, 'w')"), &[], &[]);
+        let build = "add_custom_command(OUTPUT gone.urdf COMMAND xacro)";
+        check_launch(load, &[("arm/CMakeLists.txt", build)], &[]);
     }
 }

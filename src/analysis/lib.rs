@@ -31,6 +31,7 @@ mod launch_findings;
 mod launch_names;
 mod launch_values;
 mod launched;
+mod launched_descriptions;
 mod left_over;
 mod lock;
 mod made_elsewhere;

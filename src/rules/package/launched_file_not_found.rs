@@ -1,4 +1,4 @@
-//! A launch file that calls xacro for a description that is not there.
+//! A launch file that calls xacro for a description that is not there, or loads it as it is.
 use super::super::finding::Finding;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use base::Span;
@@ -15,9 +15,12 @@ pub(super) static RULE: Rule = Rule {
     check: Check::Analysis,
 };
 
-/// The finding about a description that a call names and that is not there.
-pub fn launched_file_not_found(span: Span, shown: &str) -> Finding {
+/// The finding about a description that a launch file names and that is not there, with the path of one that it may mean.
+pub fn launched_file_not_found(span: Span, shown: &str, near: Option<&str>) -> Finding {
     let mut finding = Finding::new(&RULE, span, format!("file `{shown}` does not exist"));
-    finding.help = Some("correct the path; the call of xacro fails".to_owned());
+    finding.help = Some(match near {
+        Some(near) => format!("correct the path: there is {near}"),
+        None => "correct the path; the launch file fails".to_owned(),
+    });
     finding
 }

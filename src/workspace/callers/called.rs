@@ -10,12 +10,12 @@ use super::choices::{Excluded, excluded};
 use super::uses::{Uses, search};
 use super::{Callers, GivenArg};
 use crate::launch::{
-    self, LaunchCall, LaunchContext, LaunchFile, calls_in, forget_defaults, included,
+    self, LaunchCall, LaunchContext, LaunchFile, calls_in, forget_defaults, included, loads_in,
 };
 use packages::Packages;
 use std::sync::Arc;
 
-/// A call, and the description that it names.
+/// A call, or a description that is loaded as it is, and the file that is named.
 #[derive(Clone, Debug)]
 pub struct RobotCall {
     /// What the launch file says.
@@ -28,6 +28,8 @@ pub struct RobotCall {
 /// What the launch files below a folder say.
 pub(super) struct LaunchCalls {
     pub calls: Arc<Vec<RobotCall>>,
+    /// The descriptions that they load without xacro.
+    pub loads: Arc<Vec<RobotCall>>,
     /// The values that choices rule out.
     pub excluded: Arc<Vec<Excluded>>,
 }
@@ -44,6 +46,11 @@ impl Callers {
     /// All calls below a folder.
     pub fn calls_below(&self, top: &Path) -> Arc<Vec<RobotCall>> {
         self.called_below(top).calls.clone()
+    }
+
+    /// The descriptions that launch files below a folder load as they are, without xacro, in the order of the paths of the files.
+    pub fn loads_below(&self, top: &Path) -> Arc<Vec<RobotCall>> {
+        self.called_below(top).loads.clone()
     }
 
     /// What the launch files below a folder say.
@@ -82,9 +89,14 @@ fn all(uses: &Uses, packages: &Packages) -> LaunchCalls {
         .iter()
         .map(|file| (file.path.as_path(), file))
         .collect();
-    let mut found: Vec<LaunchCall> = Vec::new();
+    let mut found = FoundCalls::default();
     for file in &files {
-        found.extend(calls_in(file, &LaunchContext::default()));
+        found
+            .calls
+            .extend(calls_in(file, &LaunchContext::default()));
+        found
+            .loads
+            .extend(loads_in(file, &LaunchContext::default()));
     }
     for file in &files {
         through(
@@ -95,18 +107,41 @@ fn all(uses: &Uses, packages: &Packages) -> LaunchCalls {
             &mut found,
         );
     }
-    found.truncate(CALLER_CALLS);
-    found.sort_by(|a, b| {
-        (&a.caller, a.range.start, &a.through).cmp(&(&b.caller, b.range.start, &b.through))
-    });
-    let calls = found.into_iter().map(|call| RobotCall {
-        target: target(&call, packages),
-        call,
-    });
     LaunchCalls {
-        calls: Arc::new(calls.collect()),
+        calls: with_targets(found.calls, packages),
+        loads: with_targets(found.loads, packages),
         excluded: Arc::new(excluded(&files, &by_path, packages)),
     }
+}
+
+/// What launch files call and load.
+#[derive(Default)]
+struct FoundCalls {
+    calls: Vec<LaunchCall>,
+    loads: Vec<LaunchCall>,
+}
+
+/// Put what is not known yet behind other calls.
+fn add(all: &mut Vec<LaunchCall>, calls: Vec<LaunchCall>) {
+    for call in calls {
+        let is_it = |known: &LaunchCall| known.caller == call.caller && known.is_same(&call);
+        if !all.iter().any(is_it) {
+            all.push(call);
+        }
+    }
+}
+
+/// Calls in the order of their places, each with the file that it names.
+fn with_targets(mut calls: Vec<LaunchCall>, packages: &Packages) -> Arc<Vec<RobotCall>> {
+    calls.truncate(CALLER_CALLS);
+    calls.sort_by(|a, b| {
+        (&a.caller, a.range.start, &a.through).cmp(&(&b.caller, b.range.start, &b.through))
+    });
+    let with_target = |call: LaunchCall| RobotCall {
+        target: target(&call, packages),
+        call,
+    };
+    Arc::new(calls.into_iter().map(with_target).collect())
 }
 
 /// The calls of the files that a launch file includes.
@@ -115,9 +150,10 @@ fn through(
     context: &LaunchContext,
     by_path: &FastMap<&Path, &LaunchFile>,
     packages: &Packages,
-    found: &mut Vec<LaunchCall>,
+    found: &mut FoundCalls,
 ) {
-    if context.through.len() >= LAUNCH_INCLUDES || found.len() > CALLER_CALLS {
+    let is_full = found.calls.len().max(found.loads.len()) > CALLER_CALLS;
+    if context.through.len() >= LAUNCH_INCLUDES || is_full {
         return;
     }
     let included: Vec<(Option<&LaunchFile>, LaunchContext)> = included(file, context)
@@ -145,14 +181,8 @@ fn through(
                 others.filter_map(|(_, (other, _))| *other),
             );
         }
-        for call in calls_in(inner, &context) {
-            if !found
-                .iter()
-                .any(|known| known.caller == call.caller && known.is_same(&call))
-            {
-                found.push(call);
-            }
-        }
+        add(&mut found.calls, calls_in(inner, &context));
+        add(&mut found.loads, loads_in(inner, &context));
         through(inner, &context, by_path, packages, found);
     }
 }

@@ -1,5 +1,6 @@
 //! Command lines: split as a shell does, and what they say when they call xacro.
 
+use super::DESCRIPTIONS;
 use super::resolve::{Bit, CallArgument, CommandWord};
 
 /// What a command line says.
@@ -88,6 +89,9 @@ impl WordSplitter {
 /// Options of xacro that take a word.
 const WITH_VALUE: [&str; 4] = ["-o", "--output", "--root-dir", "--verbosity"];
 
+/// Options of programs that take the name of a file to write.
+const WITH_OUTPUT: [&str; 3] = ["-o", "--output", "--out"];
+
 /// What the words of a command say when it calls xacro.
 pub(super) fn of_words(words: Vec<CommandWord>) -> Option<ParsedCommand> {
     let mut words = words.into_iter().peekable();
@@ -113,7 +117,7 @@ pub(super) fn of_words(words: Vec<CommandWord>) -> Option<ParsedCommand> {
             program
         };
     }
-    if !matches!(base_name(&program), "xacro" | "xacro.py") {
+    if !is_xacro_program(&program) {
         return None;
     }
     let (mut file, mut args, mut open) = (None, Vec::new(), false);
@@ -143,6 +147,33 @@ pub(super) fn of_words(words: Vec<CommandWord>) -> Option<ParsedCommand> {
         args,
         open,
     })
+}
+
+/// The words of a command that name descriptions, in front of what it prints to.
+pub(super) fn descriptions_of(words: Vec<CommandWord>) -> Vec<CommandWord> {
+    let mut named: Vec<CommandWord> = Vec::new();
+    let mut is_output = false;
+    for word in words {
+        let shown = word.shown();
+        if ends_command(&shown) {
+            break;
+        }
+        let is_description = DESCRIPTIONS.iter().any(|ending| shown.ends_with(ending));
+        if is_description && !is_output {
+            named.push(word);
+        }
+        is_output = WITH_OUTPUT.contains(&shown.as_str());
+    }
+    named
+}
+
+/// Whether a word is the program xacro.
+pub(super) fn is_xacro(word: &CommandWord) -> bool {
+    is_xacro_program(&word.shown())
+}
+
+fn is_xacro_program(program: &str) -> bool {
+    matches!(base_name(program), "xacro" | "xacro.py")
 }
 
 fn base_name(program: &str) -> &str {

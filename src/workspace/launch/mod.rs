@@ -5,6 +5,7 @@
 
 mod command;
 mod element;
+mod loads;
 mod python;
 mod resolve;
 mod shell;
@@ -14,6 +15,8 @@ mod xml;
 #[cfg(test)]
 mod forms;
 #[cfg(test)]
+mod forms_of_loads;
+#[cfg(test)]
 mod forms_of_parameters;
 #[cfg(test)]
 mod forms_of_programs;
@@ -21,7 +24,9 @@ mod forms_of_programs;
 use std::path::{Path, PathBuf};
 
 use base::TextRange;
+use base::limits::LAUNCH_CALLS;
 
+pub(crate) use loads::loads_in;
 pub use resolve::{CallArgument, CommandWord, LaunchCall, Why, calls};
 pub(crate) use resolve::{LaunchContext, calls_in, forget_defaults, included, values_given};
 use text::Text;
@@ -37,6 +42,8 @@ pub struct LaunchFile {
     pub defaults: Vec<(String, Text)>,
     /// Commands that may call xacro.
     pub commands: Vec<LaunchCommand>,
+    /// Words that may name descriptions which are read as they are.
+    pub loads: Vec<LaunchCommand>,
     /// Launch files that it includes.
     pub includes: Vec<LaunchInclude>,
     /// Arguments that it sets while it runs.
@@ -99,6 +106,24 @@ pub struct LaunchCommand {
     pub is_read_as_yaml: bool,
 }
 
+impl LaunchCommand {
+    fn at(range: TextRange, what: CommandForm, assumed: Vec<String>) -> Self {
+        Self {
+            range,
+            what,
+            assumed,
+            is_read_as_yaml: false,
+        }
+    }
+
+    /// Put it behind others, as long as there are not too many.
+    fn add_to(self, others: &mut Vec<Self>) {
+        if others.len() < LAUNCH_CALLS {
+            others.push(self);
+        }
+    }
+}
+
 /// A command in one of its forms.
 #[derive(Clone, Debug)]
 pub enum CommandForm {
@@ -143,7 +168,7 @@ pub struct LaunchInclude {
     pub assumed: Vec<String>,
 }
 
-/// Whether a text may hold a call of xacro, or include a file that does.
+/// Whether a text may hold a call of xacro, load a description as it is, or include a file that does.
 pub(super) fn may_call(text: &str) -> bool {
     const WORDS: [&str; 4] = [
         "xacro",
@@ -151,10 +176,15 @@ pub(super) fn may_call(text: &str) -> bool {
         "<include",
         "MoveItConfigsBuilder",
     ];
-    WORDS.iter().any(|word| text.contains(word))
+    const LOADS: [&str; 5] = ["textfile=", "cat ", "-file", "open(", ".read_text("];
+    let has_any = |words: &[&str]| words.iter().any(|word| text.contains(word));
+    has_any(&WORDS) || has_any(&LOADS) && has_any(&DESCRIPTIONS)
 }
 
-/// Read a file; none when nothing in it can call xacro.
+/// Endings of the names of descriptions.
+const DESCRIPTIONS: [&str; 3] = [".urdf", ".xacro", ".srdf"];
+
+/// Read a file; none when nothing in it can call xacro or load a description.
 pub fn read(path: &Path, text: &str) -> Option<LaunchFile> {
     if !may_call(text) {
         return None;
@@ -168,5 +198,6 @@ pub fn read(path: &Path, text: &str) -> Option<LaunchFile> {
         "yaml" | "yml" => shell::embedded(path, text),
         _ => return None,
     };
-    (!file.commands.is_empty() || !file.includes.is_empty()).then_some(file)
+    let is_empty = file.commands.is_empty() && file.includes.is_empty() && file.loads.is_empty();
+    (!is_empty).then_some(file)
 }

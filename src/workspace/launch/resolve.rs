@@ -423,7 +423,7 @@ impl CommandWord {
 }
 
 /// What the pieces of one command stand for.
-struct Resolver<'a> {
+pub(super) struct Resolver<'a> {
     file: &'a LaunchFile,
     context: &'a LaunchContext,
     assumed: &'a [String],
@@ -433,7 +433,7 @@ struct Resolver<'a> {
 }
 
 impl<'a> Resolver<'a> {
-    fn new(file: &'a LaunchFile, context: &'a LaunchContext, assumed: &'a [String]) -> Self {
+    pub fn new(file: &'a LaunchFile, context: &'a LaunchContext, assumed: &'a [String]) -> Self {
         let mut declared: FastMap<&str, Option<&Text>> = FastMap::default();
         let mut unclear: Vec<&str> = Vec::new();
         for argument in &file.declared {
@@ -533,12 +533,18 @@ impl<'a> Resolver<'a> {
         }
     }
 
+    /// The words of a command; none of a call from Python, and where quotes are left open.
+    pub fn words(&self, command: &LaunchCommand) -> Option<Vec<CommandWord>> {
+        match &command.what {
+            CommandForm::Line(line) => command::split(&self.word(line)),
+            CommandForm::Words(words) => Some(words.iter().map(|word| self.word(word)).collect()),
+            CommandForm::Process { .. } => None,
+        }
+    }
+
     fn called(&self, command: &LaunchCommand) -> Option<ParsedCommand> {
         match &command.what {
-            CommandForm::Line(line) => command::of_words(command::split(&self.word(line))?),
-            CommandForm::Words(words) => {
-                command::of_words(words.iter().map(|word| self.word(word)).collect())
-            }
+            CommandForm::Line(_) | CommandForm::Words(_) => command::of_words(self.words(command)?),
             CommandForm::Process {
                 file,
                 mappings,

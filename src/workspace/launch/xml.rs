@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use base::TextRange;
-use base::limits::{LAUNCH_CALLS, LAUNCH_DEPTH, MANIFEST_NODES};
+use base::limits::{LAUNCH_DEPTH, MANIFEST_NODES};
 use roxmltree::{Document, Node, ParsingOptions};
 
 use super::element;
@@ -83,6 +83,12 @@ impl LaunchXmlReader {
             if attribute.name() == "command" && node.tag_name().name() == "param" {
                 let line = self.text(attribute.value(), Some(range));
                 self.command(range, line, false);
+            } else if attribute.name() == "textfile" && node.has_tag_name("param") {
+                let file = self.text(attribute.value(), Some(range));
+                self.load(range, CommandForm::Words(vec![file]));
+            } else if attribute.name() == "args" && node.has_tag_name("node") {
+                let words = self.text(attribute.value(), Some(range));
+                self.load(range, CommandForm::Line(words));
             } else if attribute.value().contains("$(command") {
                 let mut lines = Vec::new();
                 element::text(attribute.value(), Some(range), &self.folder, &mut lines);
@@ -98,15 +104,15 @@ impl LaunchXmlReader {
     }
 
     fn command(&mut self, range: TextRange, line: Text, is_read_as_yaml: bool) {
-        if self.file.commands.len() < LAUNCH_CALLS {
-            let assumed = self.assumed.clone();
-            self.file.commands.push(LaunchCommand {
-                range,
-                what: CommandForm::Line(line),
-                assumed,
-                is_read_as_yaml,
-            });
-        }
+        let assumed = self.assumed.clone();
+        let mut command = LaunchCommand::at(range, CommandForm::Line(line), assumed);
+        command.is_read_as_yaml = is_read_as_yaml;
+        command.add_to(&mut self.file.commands);
+    }
+
+    fn load(&mut self, range: TextRange, what: CommandForm) {
+        let assumed = self.assumed.clone();
+        LaunchCommand::at(range, what, assumed).add_to(&mut self.file.loads);
     }
 
     fn argument(&mut self, node: Node<'_, '_>) {

@@ -54,6 +54,7 @@ impl PythonReader<'_> {
         let count = args.len();
         let mut args = PythonArgs::new(args, named);
         self.parameters_of(&args);
+        self.arguments_of(range, &args);
         let name = path.rsplit('.').next().unwrap_or(path);
         match name {
             "LaunchConfiguration" => self.configuration(args),
@@ -147,7 +148,10 @@ impl PythonReader<'_> {
             | "FrontendLaunchDescriptionSource" => {
                 PythonValue::Text(args.text(0, "launch_file_path"))
             }
-            "open" => PythonValue::Document(args.text(0, "file")),
+            "open" => {
+                let file = args.text(0, "file");
+                self.opened(range, file, args.take(1, "mode"))
+            }
             "MoveItConfigsBuilder" => {
                 let robot = args.text(0, "robot_name");
                 match args
@@ -263,6 +267,29 @@ impl PythonReader<'_> {
                     command.is_read_as_yaml = true;
                 }
             }
+        }
+    }
+
+    /// A file that is opened, to be read unless a mode says otherwise.
+    pub(super) fn opened(
+        &mut self,
+        range: TextRange,
+        file: Text,
+        mode: Option<PythonValue>,
+    ) -> PythonValue {
+        let mode = mode.map(PythonValue::text);
+        if mode.is_none_or(|mode| mode.literal().is_some_and(|mode| mode.starts_with('r'))) {
+            self.load(range, CommandForm::Words(vec![file.clone()]));
+        }
+        PythonValue::Document(file)
+    }
+
+    /// The words that a node is started with: a spawner or a publisher is told its description.
+    fn arguments_of(&mut self, range: TextRange, args: &PythonArgs) {
+        let given = args.named.iter().find(|(name, _)| name == "arguments");
+        if let Some((_, PythonValue::List(words))) = given {
+            let words = words.iter().cloned().map(PythonValue::text).collect();
+            self.load(range, CommandForm::Words(words));
         }
     }
 

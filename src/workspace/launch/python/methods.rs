@@ -177,7 +177,8 @@ impl PythonReader<'_> {
                     .filter(|_| args.is_empty())
                     .map_or(PythonValue::Unknown, PythonValue::plain)
             }
-            (PythonValue::Text(text), "open") => PythonValue::Document(text),
+            (PythonValue::Text(text), "open") => self.opened(range, text, args.into_iter().next()),
+            (PythonValue::Text(text), "read_text" | "read_bytes") => self.opened(range, text, None),
             (value @ PythonValue::Dict { .. }, "items" | "copy")
             | (value @ PythonValue::List(_), "copy") => value,
             (PythonValue::Dict { pairs, .. }, "get") => {

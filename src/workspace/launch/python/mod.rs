@@ -14,7 +14,7 @@ mod value;
 
 use std::path::Path;
 
-use base::limits::{LAUNCH_CALLS, LAUNCH_DEPTH, LAUNCH_STEPS};
+use base::limits::{LAUNCH_DEPTH, LAUNCH_STEPS};
 use base::{FastSet, TextRange};
 
 use self::scope::{VariableScopes, Variables, joined};
@@ -293,14 +293,13 @@ impl<'s> PythonReader<'s> {
     }
 
     fn record(&mut self, range: TextRange, what: CommandForm) {
-        if self.found.commands.len() < LAUNCH_CALLS {
-            self.found.commands.push(LaunchCommand {
-                range,
-                what,
-                assumed: self.assumed.clone(),
-                is_read_as_yaml: false,
-            });
-        }
+        let assumed = self.assumed.clone();
+        LaunchCommand::at(range, what, assumed).add_to(&mut self.found.commands);
+    }
+
+    fn load(&mut self, range: TextRange, what: CommandForm) {
+        let assumed = self.assumed.clone();
+        LaunchCommand::at(range, what, assumed).add_to(&mut self.found.loads);
     }
 
     /// Pairs of a dictionary as what a call gives.

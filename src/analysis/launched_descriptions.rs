@@ -1,0 +1,102 @@
+//! Descriptions that launch files call or load, and that are not there.
+use std::path::Path;
+
+use super::session::Session;
+use base::Span;
+use packages::nearest;
+use rules::{Finding, Severity, launched_file_not_found};
+use workspace::RobotCall;
+
+/// Looks for descriptions that launch files name and that are not there.
+pub(super) struct LaunchedDescriptions<'s>(pub &'s Session);
+
+impl LaunchedDescriptions<'_> {
+    /// A description that is loaded without xacro, under none of the arguments of which there is a file, and that nothing makes.
+    pub fn missing_load(&self, group: &[RobotCall]) -> Option<Finding> {
+        let missing = self.missing_in(group)?;
+        let may_appear = |load: &RobotCall| {
+            let target = load.target.as_ref();
+            target.is_some_and(|path| self.0.packages.may_be_made(path))
+        };
+        let caller = &group.first()?.call.caller;
+        let is_made = group.iter().any(may_appear) || self.writes_descriptions(caller);
+        (!is_made).then_some(missing)
+    }
+
+    /// Whether a program looks whether files exist, or writes some itself.
+    fn writes_descriptions(&self, program: &Path) -> bool {
+        const SIGNS: [&str; 5] = ["exists(", "isfile(", "'w'", "\"w\"", "write_text("];
+        self.0
+            .packages
+            .is_text(program, |text| SIGNS.iter().any(|sign| text.contains(sign)))
+    }
+
+    /// A description that a call names, under none of the arguments of which there is a file.
+    pub fn missing_in(&self, group: &[RobotCall]) -> Option<Finding> {
+        let mut targets = group.iter().filter_map(|call| call.target.as_ref());
+        if targets.any(|path| self.0.vfs.is_file(path)) {
+            return None;
+        }
+        let missing = group.iter().find(|call| self.is_missing(call))?;
+        let place = missing.call.file.place().unwrap_or(missing.call.range);
+        let span = Span {
+            file: self.0.vfs.file_id(&missing.call.caller),
+            range: place,
+        };
+        let near = self.similar_description(missing);
+        let mut finding =
+            launched_file_not_found(span, &missing.call.file.shown(), near.as_deref());
+        if self.has_backslash(span) {
+            finding.severity = Severity::Info;
+        }
+        Some(finding)
+    }
+
+    /// A description that a call may mean: one of the same name elsewhere, or one of a similar name beside it.
+    fn similar_description(&self, call: &RobotCall) -> Option<String> {
+        let missing = call.target.as_ref()?;
+        let package = self.0.packages.containing(missing)?;
+        let namesake = self
+            .0
+            .packages
+            .namesake(missing, Some(&package.folder), &call.call.caller);
+        let beside = || {
+            let folder = missing.parent()?;
+            let entries = self.0.vfs.list_dir(folder);
+            let names = entries.iter().map(|entry| entry.name.as_str());
+            let near = nearest(missing.file_name()?.to_str()?, names)?;
+            Some(folder.join(near))
+        };
+        let found = namesake.or_else(beside)?;
+        let owner = self.0.packages.containing(&found)?;
+        let inside = vfs::slashed(found.strip_prefix(&owner.folder).ok()?);
+        Some(if owner.folder == package.folder {
+            format!("`{inside}`")
+        } else {
+            format!("`{inside}` in package `{}`", owner.name)
+        })
+    }
+
+    /// Whether a call names a file in the tree that is not there.
+    fn is_missing(&self, call: &RobotCall) -> bool {
+        let Some(path) = call.target.as_ref().filter(|path| !self.0.vfs.exists(path)) else {
+            return false;
+        };
+        // `$(arg robot).urdf` where the argument is empty by default, and somebody else gives it
+        if path
+            .file_name()
+            .is_some_and(|name| name.to_string_lossy().starts_with('.'))
+        {
+            return false;
+        }
+        // of a path by itself, where it starts is not known
+        let is_in_package = call.call.file.in_package().is_some();
+        is_in_package && self.0.packages.containing(path).is_some()
+    }
+
+    /// Whether a path is written with backslashes, which separate folders on Windows.
+    fn has_backslash(&self, span: Span) -> bool {
+        let text = self.0.vfs.text(&self.0.vfs.path(span.file));
+        text.is_ok_and(|file| span.range.slice(&file.text).contains('\\'))
+    }
+}
