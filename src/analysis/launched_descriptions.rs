@@ -46,7 +46,8 @@ impl LaunchedDescriptions<'_> {
         let near = self.similar_description(missing);
         let mut finding =
             launched_file_not_found(span, &missing.call.file.shown(), near.as_deref());
-        if self.has_backslash(span) {
+        // they separate folders on Windows, where the file may be found
+        if missing.call.file.shown().contains('\\') {
             finding.severity = Severity::Info;
         }
         Some(finding)
@@ -92,11 +93,5 @@ impl LaunchedDescriptions<'_> {
         // of a path by itself, where it starts is not known
         let is_in_package = call.call.file.in_package().is_some();
         is_in_package && self.0.packages.containing(path).is_some()
-    }
-
-    /// Whether a path is written with backslashes, which separate folders on Windows.
-    fn has_backslash(&self, span: Span) -> bool {
-        let text = self.0.vfs.text(&self.0.vfs.path(span.file));
-        text.is_ok_and(|file| span.range.slice(&file.text).contains('\\'))
     }
 }

@@ -9,7 +9,7 @@ use base::IdVec;
 use expand::{FileIdx, FileUse, ProblemKind};
 use rules::{Category, Finding, Rule, Severity, Trait, named};
 use vfs::without_parents;
-use workspace::{Purpose, RobotCall, is_ignored_by_git};
+use workspace::{Purpose, RobotCall, is_ignored_by_git, is_page};
 
 impl Session {
     /// What breaks nothing for the launch files and programs that use a file is an info.
@@ -161,9 +161,10 @@ impl Session {
                 .iter()
                 .all(|other| self.is_kept(other))
         };
-        self.callers
-            .name_where(file, |by| !self.is_launch_left_over(by))
-            || self.callers.name(file) && are_all_kept()
+        // what a page says of a file that is kept is that it is kept
+        let counts =
+            |by: &Path| !(self.is_launch_left_over(by) || is_page(by) && self.is_kept(file));
+        self.callers.name_where(file, counts) || self.callers.name(file) && are_all_kept()
     }
 
     /// Whether nobody runs a launch file: it is kept, in a package that was put aside or is not built, or for ROS 1 in a package for

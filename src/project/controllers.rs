@@ -2,7 +2,8 @@
 
 use ecow::EcoString;
 
-use super::value::{SpannedName, entries, get, text};
+use super::value::{SpannedName, entries, get, number, text};
+use base::TextRange;
 use yaml::{YamlKind, YamlNode};
 
 /// The parameters of one controller.
@@ -22,6 +23,8 @@ pub struct Controller {
     pub has_interfaces: bool,
     /// `interface_name`: the one interface that it commands.
     pub interface: Option<SpannedName>,
+    /// Numbers that it names: the key, the value and its place.
+    pub numbers: Vec<(EcoString, f64, TextRange)>,
     /// Whether these are parameters of a node of ROS 2.
     pub is_ros2: bool,
 }
@@ -142,6 +145,8 @@ fn controller(name: SpannedName, parameters: &YamlNode, is_ros2: bool) -> Option
             .into_iter()
             .map(move |name| (key.name.clone(), name))
     });
+    let numbers = entries(parameters)
+        .filter_map(|(key, value)| Some((key.name, number(value)?.0, value.range)));
     let is_map = matches!(parameters.kind, YamlKind::Map(_));
     is_map.then(|| Controller {
         class: text(parameters, "type"),
@@ -150,6 +155,7 @@ fn controller(name: SpannedName, parameters: &YamlNode, is_ros2: bool) -> Option
         states: list("state_interfaces"),
         has_interfaces: get(parameters, "interfaces").is_some(),
         interface: text(parameters, "interface_name"),
+        numbers: numbers.collect(),
         name,
         is_ros2,
     })

@@ -3,6 +3,7 @@
 mod controller_joint_without_hardware;
 pub(super) mod controller_unknown_interface;
 pub(super) mod controller_unknown_joint;
+mod controller_wheel_mismatch;
 pub(super) mod controller_without_parameters;
 mod gazebo_classic_plugin;
 mod gazebo_lumped_reference;
@@ -15,6 +16,7 @@ mod joints;
 mod misspelled_plugin;
 pub(super) mod plugin_file_not_found;
 mod plugin_unknown_joint;
+mod plugin_wheel_mismatch;
 mod plugins;
 pub(super) mod ros1_gazebo_plugin;
 pub(super) mod ros1_plugin_parameter;
@@ -36,6 +38,7 @@ pub(super) mod transmission_missing_hardware_interface;
 pub(super) mod transmission_unknown_joint;
 pub(super) mod transmission_unknown_type;
 mod transmissions;
+mod wheel_sizes;
 
 use super::rule::Rule;
 pub(crate) use joints::range as limits_of;
@@ -74,4 +77,6 @@ pub(super) static RULES: &[&Rule] = &[
     &plugin_unknown_joint::RULE,
     &ros1_gazebo_plugin::RULE,
     &ros1_plugin_parameter::RULE,
+    &plugin_wheel_mismatch::RULE,
+    &controller_wheel_mismatch::RULE,
 ];

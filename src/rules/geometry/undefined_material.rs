@@ -42,13 +42,16 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         if name.starts_with("Gazebo/") {
             continue;
         }
+        let near = nearest(name, defined.iter().copied()).filter(|near| is_replaceable(text, near));
+        // one name is misspelled; several that are like no other are defined in a file that is not included
+        let group = near.map_or(Group::File, |_| Group::Name(name.clone()));
         let report = out
             .report(
                 text.origin,
                 format!("undefined material `{name}` in link `{}`", link.shown()),
             )
-            .group(Group::Name(name.clone()));
-        match nearest(name, defined.iter().copied()).filter(|near| is_replaceable(text, near)) {
+            .group(group);
+        match near {
             Some(near) => {
                 let report = report.help(Help::did_you_mean(near));
                 report.replace_with(Safety::Unsafe, format!("rename to `{near}`"), near).done();

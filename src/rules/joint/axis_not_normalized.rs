@@ -26,7 +26,7 @@ fn check(cx: &DocumentCx<'_>, joint: &Joint, out: &mut Sink<'_>) {
     if length < NO_LENGTH || is_unit(length) {
         return;
     }
-    let is_meant = is_habit(cx, length) || is_diagonal(axis);
+    let is_meant = is_rounded(length) || is_habit(cx, length) || is_diagonal(axis);
     let message = format!(
         "axis of joint `{}` is not a unit vector: its length is {}",
         joint.shown(),
@@ -47,6 +47,11 @@ fn check(cx: &DocumentCx<'_>, joint: &Joint, out: &mut Sink<'_>) {
         vector(&axis.map(|part| part / length)),
     )
     .done();
+}
+
+/// Whether an axis is as long as one that was rounded to two digits.
+fn is_rounded(length: f64) -> bool {
+    (length - 1.0).abs() <= 1e-2
 }
 
 fn is_unit(length: f64) -> bool {

@@ -3,7 +3,7 @@ use super::super::context::FileCx;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use base::{FastSet, TextRange};
-use expand::SymbolKind;
+use expand::{SymbolKind, XId, XKind};
 use facts::parts_where;
 use xml::{Node, NodeKind};
 
@@ -47,11 +47,18 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
         .filter(|bare| names.contains(bare.name) || bare.params.contains(&bare.name))
     {
         let text = cx.source.document.slice(range);
+        // in a branch or macro that no call reaches, nobody gets it
+        let severity = if stands_in_robot(cx, &text) {
+            RULE.severity
+        } else {
+            Severity::Info
+        };
         out.report_in(
             cx.file,
             range,
             format!("`{text}` is not an expression; xacro leaves it as it is"),
         )
+        .severity(severity)
         .help(format!("write `${{{name}}}`"))
         .replace_with(
             Safety::Unsafe,
@@ -60,6 +67,17 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
         )
         .done();
     }
+}
+
+/// Whether a text or an attribute of the robot contains a text.
+fn stands_in_robot(cx: &FileCx<'_>, text: &str) -> bool {
+    let tree = &cx.expansion.tree;
+    let is_in = |id: XId| {
+        let node = tree.get(id);
+        let is_text = node.kind == XKind::Text && node.text.contains(text);
+        is_text || node.attrs.iter().any(|attr| attr.value.contains(text))
+    };
+    tree.below(XId::DOCUMENT).any(is_in)
 }
 
 /// The properties of the robot.

@@ -30,7 +30,7 @@ pub(super) fn is_description(name: &str) -> bool {
 }
 
 /// Whether a file is there to be read, not run.
-pub(super) fn is_page(path: &Path) -> bool {
+pub fn is_page(path: &Path) -> bool {
     let ending = path
         .extension()
         .and_then(|ending| ending.to_str())

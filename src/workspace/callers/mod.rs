@@ -25,6 +25,7 @@ pub use called::RobotCall;
 pub use caller::{Caller, GivenArg};
 pub use choices::Excluded;
 pub use era::Era;
+pub use file_names::is_page;
 pub use programs::downloads_data;
 pub use purpose::Purpose;
 pub use read::{has_name, without_comments};

@@ -1,0 +1,62 @@
+//! A plugin of Gazebo that is told other wheels than the robot has.
+use super::super::context::RobotCx;
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use super::plugins::plugins_of;
+use super::wheel_sizes::{DriveLength, WheelPair, length};
+use expand::{XId, XTree};
+use model::AttrValue;
+
+pub(super) static RULE: Rule = Rule {
+    code: "CTL032",
+    name: "plugin-wheel-mismatch",
+    category: Category::Control,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page("plugin-wheel-mismatch"),
+    check: Check::Whole(check),
+};
+
+/// Parts of the file names of plugins that drive two wheels.
+const DRIVES: [&str; 2] = ["diff_drive", "diff-drive"];
+/// The tags of the joints that they turn, left and right.
+const JOINTS: [[&str; 2]; 2] = [["left_joint", "right_joint"], ["leftJoint", "rightJoint"]];
+
+fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
+    let tree = &cx.expansion.tree;
+    for plugin in plugins_of(tree, cx.robot) {
+        let file = AttrValue::attr(tree, plugin, "filename");
+        let is_drive = |file: &AttrValue| DRIVES.iter().any(|part| file.value.contains(part));
+        let Some(pair) = file.filter(is_drive).and_then(|_| wheels(cx, tree, plugin)) else {
+            continue;
+        };
+        for parameter in tree.elements(plugin) {
+            let name = tree.get(parameter).text.as_str();
+            let value = DriveLength::of(name).and_then(|_| AttrValue::content(tree, parameter));
+            let Some(value) = value else { continue };
+            let mismatch = value.number().and_then(|said| pair.mismatch(name, said));
+            if let Some((message, real)) = mismatch {
+                out.report(value.origin, message)
+                    .help(format!("write {}, or correct the wheels", length(real)))
+                    .done();
+            }
+        }
+    }
+}
+
+/// The wheels of a plugin that turns one on each side.
+fn wheels<'a>(cx: &RobotCx<'a>, tree: &XTree, plugin: XId) -> Option<WheelPair<'a>> {
+    let named = |tag: &str| {
+        let mut all = tree
+            .elements(plugin)
+            .filter(|&child| tree.get(child).text == tag);
+        let only = all.next()?;
+        AttrValue::content(tree, only).filter(|_| all.next().is_none())
+    };
+    JOINTS.iter().find_map(|[left, right]| {
+        let (left, right) = (named(left)?, named(right)?);
+        WheelPair::of(cx.robot, cx.kinematics, [&left.value, &right.value])
+    })
+}

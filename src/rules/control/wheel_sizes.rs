@@ -1,0 +1,154 @@
+//! The wheels of a drive as the robot has them, beside what a plugin or controller is told.
+use super::super::numbers::short;
+use nalgebra::Point3;
+
+use model::{Body, Joint, JointType, Kinematics, Link, Robot, ShapeKind, transform};
+
+/// By which factor two lengths differ at least, so that none of them is a rounded or tuned value of the other.
+const MISMATCH: f64 = 1.3;
+/// By which factor the wheels of one size differ at most.
+const SAME_SIZE: f64 = 1.1;
+
+/// A pair of driven wheels.
+pub(super) struct WheelPair<'a> {
+    left: Wheel<'a>,
+    right: Wheel<'a>,
+    /// Whether the robot has further wheels of the size: it skids, and drives as if its wheels were farther apart.
+    is_skidding: bool,
+}
+
+struct Wheel<'a> {
+    link: &'a Link,
+    /// In meters.
+    radius: f64,
+    /// Its center in the frame of the root link, with all joints at zero, in meters.
+    center: Point3<f64>,
+}
+
+/// A length that a drive is told.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum DriveLength {
+    Radius,
+    Diameter,
+    Separation,
+}
+
+/// The parameters of drives that hold lengths of wheels.
+/// Source: the plugins of gazebo_ros_pkgs, the system diff-drive of gz-sim, and diff_drive_controller.
+const PARAMETERS: [(&str, DriveLength); 5] = [
+    ("wheel_radius", DriveLength::Radius),
+    ("wheel_diameter", DriveLength::Diameter),
+    ("wheelDiameter", DriveLength::Diameter),
+    ("wheel_separation", DriveLength::Separation),
+    ("wheelSeparation", DriveLength::Separation),
+];
+
+impl DriveLength {
+    /// The length that a parameter holds.
+    pub fn of(parameter: &str) -> Option<Self> {
+        let mut all = PARAMETERS.iter();
+        all.find(|(name, _)| *name == parameter)
+            .map(|&(_, length)| length)
+    }
+}
+
+impl<'a> WheelPair<'a> {
+    /// The wheels that two joints turn; none where a shape or place is not known, or a wheel is no cylinder or sphere.
+    pub fn of(robot: &'a Robot, kinematics: &Kinematics, [left, right]: [&str; 2]) -> Option<Self> {
+        let of = |name: &str| {
+            let joint = robot
+                .joints
+                .iter()
+                .position(|joint| joint.shown() == name)?;
+            Wheel::of(robot, kinematics, joint)
+        };
+        let (left, right) = (of(left)?, of(right)?);
+        let turns = |joint: &Joint| joint.is(&[JointType::Continuous]) && joint.mimic.is_none();
+        let turning = (0..robot.joints.len()).filter(|&at| robot.joints.get(at).is_some_and(turns));
+        let like_this = turning
+            .filter_map(|joint| Wheel::of(robot, kinematics, joint))
+            .filter(|wheel| factor(wheel.radius, left.radius) < SAME_SIZE);
+        let is_skidding = like_this.count() > 2;
+        Some(Self {
+            left,
+            right,
+            is_skidding,
+        })
+    }
+
+    /// What is wrong with a length that a parameter holds, in meters, and what it should be; none where it fits.
+    pub fn mismatch(&self, parameter: &str, said: f64) -> Option<(String, f64)> {
+        let (left, right) = (&self.left, &self.right);
+        let radius = left.radius;
+        let is_one_size = factor(radius, right.radius) < SAME_SIZE;
+        let (real, what) = match DriveLength::of(parameter)? {
+            DriveLength::Separation if self.is_skidding => return None,
+            DriveLength::Separation => {
+                let distance = nalgebra::distance(&left.center, &right.center);
+                let names = [left, right].map(|wheel| wheel.link.shown());
+                let apart = format!(
+                    "wheels `{}` and `{}` are {} m apart",
+                    names[0],
+                    names[1],
+                    length(distance)
+                );
+                (distance, apart)
+            }
+            _ if !is_one_size => return None,
+            DriveLength::Radius => (radius, self.radius_of_left()),
+            DriveLength::Diameter => (2.0 * radius, self.radius_of_left()),
+        };
+        let differs = said > 0.0 && real > 0.0 && factor(said, real) > MISMATCH;
+        let message = || format!("`{parameter}` is {} m, but {what}", length(said));
+        differs.then(|| (message(), real))
+    }
+
+    fn radius_of_left(&self) -> String {
+        let Wheel { link, radius, .. } = &self.left;
+        format!(
+            "wheel `{}` has a radius of {} m",
+            link.shown(),
+            length(*radius)
+        )
+    }
+}
+
+impl<'a> Wheel<'a> {
+    fn of(robot: &'a Robot, kinematics: &Kinematics, joint: usize) -> Option<Self> {
+        let (_, child) = kinematics.ends(joint)?;
+        let link = robot.links.get(child)?;
+        let bodies = link.collisions.iter().chain(&link.visuals);
+        let (body, radius) = bodies
+            .filter_map(|body| Some((body, round(body)?)))
+            .next()?;
+        let mut pose = transform(body.origin.as_ref())?;
+        for above in kinematics.ancestor_joints(child) {
+            pose = transform(robot.joints.get(above)?.origin.as_ref())? * pose;
+        }
+        Some(Self {
+            link,
+            radius,
+            center: Point3::from(pose.translation.vector),
+        })
+    }
+}
+
+/// The radius of a cylinder or sphere.
+fn round(body: &Body) -> Option<f64> {
+    match &body.geometry.as_ref()?.shapes.first()?.kind {
+        ShapeKind::Cylinder { radius, .. } | ShapeKind::Sphere { radius } => {
+            radius.as_ref()?.number()
+        }
+        _ => None,
+    }
+}
+
+/// By which factor two lengths differ, at least one.
+fn factor(a: f64, b: f64) -> f64 {
+    (a / b).max(b / a)
+}
+
+/// A length as people write it: to the tenth of a millimeter.
+pub(super) fn length(meters: f64) -> String {
+    short((meters * 1e4).round() / 1e4)
+}
