@@ -69,6 +69,32 @@ fn inertia_that_nothing_computes_with() {
 }
 
 #[test]
+fn triangles_that_nothing_computes_with() {
+    const TRIANGLES: usize = 20_001;
+    let mesh = format!(
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\n{}",
+        "f 1 2 3\n".repeat(TRIANGLES)
+    );
+    let robot = "<robot name='r'><link name='base'><collision><geometry><mesh filename='package://arm/a.obj'/></geometry>\
+                 </collision></link></robot>";
+    let of = |launch: &str| {
+        let files = [
+            MANIFEST,
+            ("urdf/arm.urdf", robot),
+            ("a.obj", mesh.as_str()),
+            ("launch/arm.launch", launch),
+        ];
+        severity("collision-mesh-too-detailed", &files)
+    };
+    let shows = "<param textfile='$(find arm)/urdf/arm.urdf'/><node pkg='rviz'/>";
+    assert_eq!(of(shows), Some(Severity::Info));
+    let plans = "<param textfile='$(find arm)/urdf/arm.urdf'/><node pkg='moveit_ros_move_group'/>";
+    assert_eq!(of(plans), Some(Severity::Warning));
+    // nothing here says what it is for
+    assert_eq!(of("<launch/>"), Some(Severity::Warning));
+}
+
+#[test]
 fn inertia_of_another_robot_than_the_simulated_one() {
     let of = |loads: &str, simulates: &str| {
         let files = [

@@ -149,7 +149,7 @@ impl Session {
         self.lower_where(findings, is_placeholder, || Some(Severity::Info));
         self.settle_made_elsewhere(task, findings);
         self.settle_by_use(task, findings);
-        self.settle_by_purpose(&task.file, &expansion.files, findings);
+        self.settle_by_purpose(&task.file, (expansion, robot), findings);
         settle_outside_packages(self, &task.file, findings);
     }
 

@@ -65,6 +65,11 @@ fn old_files_that_nobody_uses() {
         severity(&[named[0], named[1], other, page]),
         Some(Severity::Error)
     );
+    let page = ("README.md", "The folder old/ keeps arm.urdf.");
+    assert_eq!(
+        severity(&[named[0], named[1], other, page]),
+        Some(Severity::Info)
+    );
 }
 
 #[test]

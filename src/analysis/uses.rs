@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use super::check_task::CheckTask;
 use super::session::Session;
 use super::set_aside::generated_from;
-use base::IdVec;
-use expand::{FileIdx, FileUse, ProblemKind};
+use expand::{Expansion, ProblemKind, XTree};
+use model::Robot;
 use rules::{Category, Finding, Rule, Severity, Trait, named};
 use vfs::without_parents;
 use workspace::{Purpose, RobotCall, is_ignored_by_git, is_page};
@@ -86,9 +86,10 @@ impl Session {
     pub(super) fn settle_by_purpose(
         &self,
         file: &Path,
-        parts: &IdVec<FileIdx, FileUse>,
+        (expansion, robot): (&Expansion, Option<&Robot>),
         findings: &mut [Finding],
     ) {
+        let parts = &expansion.files;
         let is_news = |finding: &Finding| finding.severity > Severity::Info;
         let is_about_use =
             |finding: &Finding| is_news(finding) && is_without_effect(finding, Purpose::default());
@@ -109,7 +110,9 @@ impl Session {
         let mut purpose = loaded.fold(own, Purpose::or);
         // whoever gives it a plugin or sensor of Gazebo has it simulated
         let mut files = parts.iter().map(|part| &part.source.path);
-        if files.any(|part| self.callers.is_for_gazebo(part)) {
+        let is_for_gazebo = robot.is_some_and(|robot| runs_in_gazebo(&expansion.tree, robot))
+            || files.any(|part| self.callers.is_for_gazebo(part));
+        if is_for_gazebo {
             (purpose.is_weighed, purpose.is_met) = (true, true);
         }
         // where robots are only shown, others may load what nothing here does, or simulate it
@@ -120,6 +123,13 @@ impl Session {
             };
             self.lower_where(findings, is_idle, || {
                 purpose.is_loaded.then_some(Severity::Warning)
+            });
+            // a mesh that is slow to collide with is right all the same
+            let is_slow = |finding: &Finding| {
+                finding.rule.has(Trait::Contact) && is_without_effect(finding, purpose)
+            };
+            self.lower_where(findings, is_slow, || {
+                self.callers.name(file).then_some(Severity::Info)
             });
             return;
         }
@@ -161,10 +171,18 @@ impl Session {
                 .iter()
                 .all(|other| self.is_kept(other))
         };
-        // what a page says of a file that is kept is that it is kept
-        let counts =
-            |by: &Path| !(self.is_launch_left_over(by) || is_page(by) && self.is_kept(file));
+        // a page that is no instruction says of a file that is kept just this
+        let mentions = |by: &Path| is_page(by) && self.is_kept(file) && !self.has_path(by, file);
+        let counts = |by: &Path| !(self.is_launch_left_over(by) || mentions(by));
         self.callers.name_where(file, counts) || self.callers.name(file) && are_all_kept()
+    }
+
+    /// Whether a text has the path of a file with its folder, as a command would.
+    fn has_path(&self, text: &Path, file: &Path) -> bool {
+        let folder = file.parent().and_then(Path::file_name);
+        let tail = Path::new(folder.unwrap_or_default()).join(file.file_name().unwrap_or_default());
+        let tail = vfs::slashed(&tail);
+        self.packages.is_text(text, |text| text.contains(&tail))
     }
 
     /// Whether nobody runs a launch file: it is kept, in a package that was put aside or is not built, or for ROS 1 in a package for
@@ -273,6 +291,15 @@ impl Session {
         let gives = |call: &RobotCall| call.call.args.iter().any(|argument| argument.name == name);
         calls.peek().is_some() && calls.all(gives)
     }
+}
+
+/// Whether a robot has a plugin or sensor of Gazebo.
+fn runs_in_gazebo(tree: &XTree, robot: &Robot) -> bool {
+    let mut inside = robot
+        .gazebo
+        .iter()
+        .flat_map(|block| tree.elements(block.element));
+    inside.any(|element| ["plugin", "sensor"].contains(&tree.get(element).text.as_str()))
 }
 
 /// Whether a finding is about something that no program needs that gets the robot. A value of the wrong sign is a slip, whoever
