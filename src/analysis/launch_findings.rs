@@ -9,6 +9,7 @@ use super::config_findings::arguments;
 use super::declared::KnownArguments;
 use super::includes::reach;
 use super::launched_descriptions::LaunchedDescriptions;
+use super::launched_transforms::LaunchedTransforms;
 use super::options::CheckOptions;
 use super::session::Session;
 use super::walk::is_launch;
@@ -40,6 +41,8 @@ impl Session {
             );
             self.findings_of_loads(&self.callers.loads_below(&folder), &mut found);
             found.extend(self.outside_choices(&folder, |_| true));
+            let mut transforms = LaunchedTransforms::new(self, &options.cancel);
+            found.extend(transforms.findings(&folder, |_| true));
         }
         // folders may be inside of others
         let mut seen = FastSet::default();
@@ -74,6 +77,8 @@ impl Session {
             loads.retain(|load| launch_files.contains(&&load.call.caller));
             self.findings_of_loads(&loads, &mut found);
             found.extend(self.outside_choices(&top, |path| launch_files.contains(&path)));
+            let mut transforms = LaunchedTransforms::new(self, cancel);
+            found.extend(transforms.findings(&top, |path| launch_files.contains(&path)));
         }
         found
     }

@@ -32,6 +32,7 @@ mod launch_names;
 mod launch_values;
 mod launched;
 mod launched_descriptions;
+mod launched_transforms;
 mod left_over;
 mod lock;
 mod made_elsewhere;

@@ -5,6 +5,7 @@ mod dependencies;
 mod deprecated_xacro_cli;
 mod description_package_name;
 pub(super) mod description_read_as_yaml;
+mod duplicate_transform;
 pub(super) mod generated_urdf_out_of_date;
 mod invalid_package_name;
 mod launch;
@@ -26,6 +27,7 @@ use super::rule::Rule;
 
 pub use argument_never_set::argument_never_set;
 pub use description_read_as_yaml::{YamlReader, description_read_as_yaml};
+pub use duplicate_transform::{looping_transform, repeated_transform};
 pub use generated_urdf_out_of_date::generated_urdf_out_of_date;
 pub(super) use launch::reads_as_it_stands;
 pub use launched_file_not_found::launched_file_not_found;
@@ -56,4 +58,5 @@ pub(super) static RULES: &[&Rule] = &[
     &value_never_compared::RULE,
     &argument_never_set::RULE,
     &description_read_as_yaml::RULE,
+    &duplicate_transform::RULE,
 ];

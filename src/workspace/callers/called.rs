@@ -10,7 +10,8 @@ use super::choices::{Excluded, excluded};
 use super::uses::{Uses, search};
 use super::{Callers, GivenArg};
 use crate::launch::{
-    self, LaunchCall, LaunchContext, LaunchFile, calls_in, forget_defaults, included, loads_in,
+    self, LaunchCall, LaunchContext, LaunchFile, StaticTransform, calls_in, forget_defaults,
+    included, loads_in, transforms_in,
 };
 use packages::Packages;
 use std::sync::Arc;
@@ -25,11 +26,24 @@ pub struct RobotCall {
     pub target: Option<PathBuf>,
 }
 
+/// A transform that a launch file publishes.
+#[derive(Clone, Debug)]
+pub struct PublishedTransform {
+    /// The launch file.
+    pub file: PathBuf,
+    /// What it publishes.
+    pub transform: StaticTransform,
+    /// The launch file, and those that are always started with it.
+    pub started: Vec<PathBuf>,
+}
+
 /// What the launch files below a folder say.
 pub(super) struct LaunchCalls {
     pub calls: Arc<Vec<RobotCall>>,
     /// The descriptions that they load without xacro.
     pub loads: Arc<Vec<RobotCall>>,
+    /// The transforms that they publish themselves.
+    pub transforms: Arc<Vec<PublishedTransform>>,
     /// The values that choices rule out.
     pub excluded: Arc<Vec<Excluded>>,
 }
@@ -51,6 +65,11 @@ impl Callers {
     /// The descriptions that launch files below a folder load as they are, without xacro, in the order of the paths of the files.
     pub fn loads_below(&self, top: &Path) -> Arc<Vec<RobotCall>> {
         self.called_below(top).loads.clone()
+    }
+
+    /// The transforms that launch files below a folder publish themselves, in the order of the paths of the files.
+    pub fn transforms_below(&self, top: &Path) -> Arc<Vec<PublishedTransform>> {
+        self.called_below(top).transforms.clone()
     }
 
     /// What the launch files below a folder say.
@@ -107,11 +126,46 @@ fn all(uses: &Uses, packages: &Packages) -> LaunchCalls {
             &mut found,
         );
     }
+    let transforms = files.iter().flat_map(|file| {
+        let all = transforms_in(file).into_iter();
+        all.map(|transform| PublishedTransform {
+            file: file.path.clone(),
+            transform,
+            started: started_by(file, &by_path, packages),
+        })
+    });
     LaunchCalls {
         calls: with_targets(found.calls, packages),
         loads: with_targets(found.loads, packages),
+        transforms: Arc::new(transforms.collect()),
         excluded: Arc::new(excluded(&files, &by_path, packages)),
     }
+}
+
+/// A launch file, and those that it includes whatever its arguments are.
+fn started_by(
+    file: &LaunchFile,
+    by_path: &FastMap<&Path, &LaunchFile>,
+    packages: &Packages,
+) -> Vec<PathBuf> {
+    let mut started = vec![file.path.clone()];
+    let mut open = vec![file];
+    while let Some(file) = open.pop() {
+        let all = included(file, &LaunchContext::default());
+        let always = file.includes.iter().zip(all);
+        for (_, (name, _)) in always.filter(|(include, _)| include.assumed.is_empty()) {
+            let path = name.path(packages, &file.path);
+            let path = path.map(|path| packages.present(&path).into_owned());
+            let Some(inner) = path.and_then(|path| by_path.get(path.as_path()).copied()) else {
+                continue;
+            };
+            if started.len() <= LAUNCH_INCLUDES && !started.contains(&inner.path) {
+                started.push(inner.path.clone());
+                open.push(inner);
+            }
+        }
+    }
+    started
 }
 
 /// What launch files call and load.

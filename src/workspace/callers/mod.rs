@@ -21,7 +21,7 @@ mod text_words;
 mod uses;
 mod walk;
 
-pub use called::RobotCall;
+pub use called::{PublishedTransform, RobotCall};
 pub use caller::{Caller, GivenArg};
 pub use choices::Excluded;
 pub use era::Era;

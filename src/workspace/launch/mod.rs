@@ -10,6 +10,7 @@ mod python;
 mod resolve;
 mod shell;
 mod text;
+mod transforms;
 mod xml;
 
 #[cfg(test)]
@@ -30,6 +31,8 @@ pub(crate) use loads::loads_in;
 pub use resolve::{CallArgument, CommandWord, LaunchCall, Why, calls};
 pub(crate) use resolve::{LaunchContext, calls_in, forget_defaults, included, values_given};
 use text::Text;
+pub use transforms::StaticTransform;
+pub(crate) use transforms::transforms_in;
 
 /// What a launch file says.
 #[derive(Clone, Debug, Default)]
@@ -44,6 +47,8 @@ pub struct LaunchFile {
     pub commands: Vec<LaunchCommand>,
     /// Words that may name descriptions which are read as they are.
     pub loads: Vec<LaunchCommand>,
+    /// The words of publishers of transforms that do not change.
+    pub transforms: Vec<LaunchCommand>,
     /// Launch files that it includes.
     pub includes: Vec<LaunchInclude>,
     /// Arguments that it sets while it runs.
@@ -178,11 +183,16 @@ pub(super) fn may_call(text: &str) -> bool {
     ];
     const LOADS: [&str; 5] = ["textfile=", "cat ", "-file", "open(", ".read_text("];
     let has_any = |words: &[&str]| words.iter().any(|word| text.contains(word));
-    has_any(&WORDS) || has_any(&LOADS) && has_any(&DESCRIPTIONS)
+    has_any(&WORDS)
+        || text.contains(TRANSFORM_PUBLISHER)
+        || has_any(&LOADS) && has_any(&DESCRIPTIONS)
 }
 
 /// Endings of the names of descriptions.
 const DESCRIPTIONS: [&str; 3] = [".urdf", ".xacro", ".srdf"];
+
+/// The program that publishes one transform.
+const TRANSFORM_PUBLISHER: &str = "static_transform_publisher";
 
 /// Read a file; none when nothing in it can call xacro or load a description.
 pub fn read(path: &Path, text: &str) -> Option<LaunchFile> {
@@ -198,6 +208,7 @@ pub fn read(path: &Path, text: &str) -> Option<LaunchFile> {
         "yaml" | "yml" => shell::embedded(path, text),
         _ => return None,
     };
-    let is_empty = file.commands.is_empty() && file.includes.is_empty() && file.loads.is_empty();
+    let commands = [&file.commands, &file.loads, &file.transforms];
+    let is_empty = commands.into_iter().all(Vec::is_empty) && file.includes.is_empty();
     (!is_empty).then_some(file)
 }

@@ -8,7 +8,9 @@ use roxmltree::{Document, Node, ParsingOptions};
 
 use super::element;
 use super::text::Text;
-use super::{CommandForm, DeclaredArgument, LaunchCommand, LaunchFile, LaunchInclude};
+use super::{
+    CommandForm, DeclaredArgument, LaunchCommand, LaunchFile, LaunchInclude, TRANSFORM_PUBLISHER,
+};
 
 /// What a launch file calls; nothing of text that is no XML.
 pub(super) fn read(path: &Path, text: &str) -> LaunchFile {
@@ -88,7 +90,14 @@ impl LaunchXmlReader {
                 self.load(range, CommandForm::Words(vec![file]));
             } else if attribute.name() == "args" && node.has_tag_name("node") {
                 let words = self.text(attribute.value(), Some(range));
-                self.load(range, CommandForm::Line(words));
+                let program = node.attribute("type").or_else(|| node.attribute("exec"));
+                if program == Some(TRANSFORM_PUBLISHER) {
+                    let assumed = self.assumed.clone();
+                    let command = LaunchCommand::at(range, CommandForm::Line(words), assumed);
+                    command.add_to(&mut self.file.transforms);
+                } else {
+                    self.load(range, CommandForm::Line(words));
+                }
             } else if attribute.value().contains("$(command") {
                 let mut lines = Vec::new();
                 element::text(attribute.value(), Some(range), &self.folder, &mut lines);

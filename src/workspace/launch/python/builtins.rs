@@ -7,7 +7,12 @@ use super::methods::parent;
 use super::value::PythonValue;
 use super::{Deferred, PythonReader};
 use crate::launch::text::Text;
-use crate::launch::{CommandForm, DeclaredArgument, LaunchInclude};
+use crate::launch::{
+    CommandForm, DeclaredArgument, LaunchCommand, LaunchInclude, TRANSFORM_PUBLISHER,
+};
+
+/// What a condition around a node or an include may read.
+const CONDITION: &str = "condition";
 
 /// The arguments of a call.
 pub(super) struct PythonArgs {
@@ -287,10 +292,23 @@ impl PythonReader<'_> {
     /// The words that a node is started with: a spawner or a publisher is told its description.
     fn arguments_of(&mut self, range: TextRange, args: &PythonArgs) {
         let given = args.named.iter().find(|(name, _)| name == "arguments");
-        if let Some((_, PythonValue::List(words))) = given {
-            let words = words.iter().cloned().map(PythonValue::text).collect();
-            self.load(range, CommandForm::Words(words));
+        let Some((_, PythonValue::List(words))) = given else {
+            return;
+        };
+        let words = words.iter().cloned().map(PythonValue::written).collect();
+        let words = CommandForm::Words(words);
+        let is_publisher = |(name, value): &(String, PythonValue)| {
+            name.ends_with("executable")
+                && matches!(value, PythonValue::Text(text) if text.literal().as_deref() == Some(TRANSFORM_PUBLISHER))
+        };
+        if !args.named.iter().any(is_publisher) {
+            return self.load(range, words);
         }
+        let mut command = LaunchCommand::at(range, words, self.assumed.clone());
+        if args.named.iter().any(|(name, _)| name == CONDITION) {
+            command.assumed.push(CONDITION.to_owned());
+        }
+        command.add_to(&mut self.found.transforms);
     }
 
     /// The words of a command, or its text.
@@ -338,6 +356,7 @@ impl PythonReader<'_> {
     }
 
     fn include(&mut self, range: TextRange, mut args: PythonArgs) {
+        let is_conditional = args.named.iter().any(|(name, _)| name == CONDITION);
         let file = args.text(0, "launch_description_source");
         let (mut pairs, mut open) = (Vec::new(), args.open);
         if let Some(given) = args.take(1, "launch_arguments") {
@@ -347,12 +366,14 @@ impl PythonReader<'_> {
             .into_iter()
             .map(|(name, value)| (name, value.text()))
             .collect();
+        let mut assumed = self.assumed.clone();
+        assumed.extend(is_conditional.then(|| CONDITION.to_owned()));
         self.found.includes.push(LaunchInclude {
             file,
             args,
             open,
             range,
-            assumed: self.assumed.clone(),
+            assumed,
         });
     }
 }
