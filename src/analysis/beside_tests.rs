@@ -509,3 +509,81 @@ fn semantic_descriptions_that_are_for_another_robot_that_is_loaded() {
     // nothing loads the other one
     assert_eq!(of("", "coupler"), 1);
 }
+
+/// A robot with one joint that turns.
+fn robot_with(joint: &str) -> String {
+    format!(
+        "<robot name='arm'><link name='base'/><link name='a'/><joint name='{joint}' type='continuous'>\
+         <parent link='base'/><child link='a'/></joint></robot>"
+    )
+}
+
+#[test]
+fn robots_that_launch_files_load_instead_of_that_of_the_assistant() {
+    let assistant = "moveit_setup_assistant_config:\n  URDF:\n    package: arm\n    relative_path: urdf/first.urdf\n  SRDF:\n    relative_path: config/arm.srdf\n";
+    let controllers = "controller_list:\n  - name: hand\n    action_ns: go\n    type: FollowJointTrajectory\n    joints:\n      - finger\n";
+    let (first, second) = (robot_with("lift"), robot_with("finger"));
+    let of = |loaded: &str| {
+        let launch =
+            format!("<launch><param command=\"xacro '$(find arm)/urdf/{loaded}'\"/></launch>");
+        let files = [
+            (".setup_assistant", assistant),
+            ("urdf/first.urdf", first.as_str()),
+            ("urdf/second.urdf", second.as_str()),
+            ("config/controllers.yaml", controllers),
+            ("launch/planning_context.launch", launch.as_str()),
+        ];
+        found(&files, "moveit-controller-unknown-joint").len()
+    };
+    assert_eq!(of("first.urdf"), 1);
+    assert_eq!(of("second.urdf"), 0);
+}
+
+#[test]
+fn joints_in_files_that_an_argument_selects_by_their_folder() {
+    let root = "<robot name='arm' xmlns:xacro='x'><xacro:arg name='hand' default=''/><link name='base'/><link name='a'/>\
+                <joint name='lift' type='continuous'><parent link='base'/><child link='a'/></joint>\
+                <xacro:unless value=\"${'$(arg hand)' == ''}\"><xacro:include filename='$(find arm)/hands/$(arg hand)/urdf/$(arg hand).xacro'/>\
+                </xacro:unless></robot>";
+    let hand = "<robot xmlns:xacro='x'><xacro:macro name='hand' params='prefix'><link name='${prefix}f'/>\
+                <joint name='${prefix}finger' type='continuous'><parent link='a'/><child link='${prefix}f'/></joint></xacro:macro></robot>";
+    let settings = SETTINGS.replace("turn", "finger");
+    let launch = "Command(['xacro ', get_package_share_directory('arm') + '/urdf/arm.xacro'])\nparameters=['config/arm.yaml']";
+    let of = |place: &str| {
+        let files = [
+            ("urdf/arm.xacro", root),
+            (place, hand),
+            ("config/arm.yaml", settings.as_str()),
+            ("launch/arm.launch.py", launch),
+        ];
+        found(&files, "controller-unknown-joint").len()
+    };
+    assert_eq!(of("hands/soft/urdf/soft.xacro"), 0);
+    assert_eq!(of("hands/soft/soft.xacro"), 1);
+}
+
+#[test]
+fn parts_of_an_srdf_that_an_argument_selects() {
+    let arm = robot_with("lift");
+    let whole = |group: &str| {
+        format!(
+            "<robot name='arm' xmlns:xacro='x'><xacro:arg name='hand' default='none'/>{group}\
+             <xacro:include filename='pairs/$(arg hand).srdf.xacro'/></robot>"
+        )
+    };
+    let group = "<group name='all'><joint name='lift'/></group>";
+    let part = "<robot name='arm'><disable_collisions link1='a' link2='finger' reason='Adjacent'/></robot>";
+    let none = "<robot name='arm'/>";
+    let of = |part_of: &str| {
+        let whole = whole(group);
+        let files = [
+            ("urdf/arm.urdf", arm.as_str()),
+            ("config/arm.srdf.xacro", whole.as_str()),
+            ("config/pairs/none.srdf.xacro", none),
+            (part_of, part),
+        ];
+        found(&files, "srdf-unknown-link").len()
+    };
+    assert_eq!(of("config/pairs/soft.srdf.xacro"), 0);
+    assert_eq!(of("config/other.srdf"), 1);
+}

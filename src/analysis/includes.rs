@@ -10,7 +10,7 @@ use facts::{Fact, FactKind, facts, parts_where};
 use packages::Packages;
 use vfs::{SourceFile, Vfs};
 use workspace::config::Pattern;
-use workspace::{include_pattern, included_files};
+use workspace::{include_pattern, included_files, reached_files};
 use xml::{Document, Node};
 
 /// The arguments that are the whole name of a file that a file includes: `extra` of `$(arg extra)`.
@@ -55,6 +55,14 @@ impl IncludeTargets {
         self.patterns
             .iter()
             .map(|pattern| included_files(pattern, vfs))
+    }
+
+    /// The files that it may include in whatever folder.
+    pub(super) fn reached(&self, vfs: &Vfs) -> Vec<PathBuf> {
+        let patterns = self.patterns.iter();
+        patterns
+            .flat_map(|pattern| reached_files(pattern, vfs))
+            .collect()
     }
 }
 

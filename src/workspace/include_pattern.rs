@@ -40,6 +40,26 @@ pub fn admitted_files(name: &str, from: &Path, packages: &Packages, vfs: &Vfs) -
     let Some(pattern) = pattern.filter(|pattern| !pattern.start().1) else {
         return Vec::new();
     };
+    few_files(&pattern, vfs)
+}
+
+/// The files that an include may name, as a pattern says: the one that is written out, or those in any folder that fits, if they are
+/// few; else those in the folder in front of what is computed.
+pub fn reached_files(pattern: &Pattern, vfs: &Vfs) -> Vec<PathBuf> {
+    let found = if pattern.start().1 {
+        Vec::new()
+    } else {
+        few_files(pattern, vfs)
+    };
+    if found.is_empty() {
+        included_files(pattern, vfs)
+    } else {
+        found
+    }
+}
+
+/// The files that a pattern matches; none when there are too many.
+fn few_files(pattern: &Pattern, vfs: &Vfs) -> Vec<PathBuf> {
     let mut found = pattern.reached(vfs, MOST_FOLDERS);
     if found.len() > MOST_FILES {
         found.clear();

@@ -10,5 +10,7 @@ pub use callers::{
     Caller, Callers, Era, Excluded, GivenArg, PublishedTransform, Purpose, RobotCall,
     downloads_data, has_name, is_page, without_comments,
 };
-pub use include_pattern::{admitted_files, include_pattern, included_files, named_file};
+pub use include_pattern::{
+    admitted_files, include_pattern, included_files, named_file, reached_files,
+};
 pub use left_out::{is_ignored_by_git, is_in_git_lfs};

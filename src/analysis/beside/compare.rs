@@ -15,6 +15,7 @@ use super::spelled::Prefixes;
 use base::limits::FILES_BESIDE;
 use base::{CancelFlag, FastMap, FastSet};
 use packages::RosVersion;
+use project::Srdf;
 use rules::{
     BesideContent, Chosen, Finding, PairedRobot, RobotNames, all, check_beside, has_ignored_tags,
     is_whole,
@@ -99,6 +100,11 @@ impl Session {
             found
                 .findings
                 .extend(self.assistant_findings(&own, robots, cancel));
+            // a part of others is for the robots of these, whatever it is called
+            let is_part = |srdf: &Srdf| srdf.groups.is_empty() && self.is_included(path);
+            if own.srdf().is_some_and(|(_, srdf)| is_part(srdf)) {
+                continue;
+            }
             let pairing = self.pairing(path);
             // without a robot it is compared with the SRDF alone
             let paired = self.paired(&own, &pairing, robots).unwrap_or_default();

@@ -140,9 +140,29 @@ impl Session {
             args: assistant.given(),
             ..RootConfig::plain(&file)
         };
-        self.vfs
-            .is_file(&file)
-            .then(|| Pairing::named(vec![root]))?
+        // what the assistant was given once may have given way to others
+        let loaded = self.loaded_in(&package.folder, path);
+        let mut roots = vec![root];
+        if !loaded.iter().any(|other| other.file == file) {
+            roots.extend(loaded);
+            roots.truncate(MOST_ROBOTS);
+        }
+        self.vfs.is_file(&file).then(|| Pairing::named(roots))?
+    }
+
+    /// The robots that launch files of a package load.
+    fn loaded_in(&self, package: &Path, path: &Path) -> Vec<RootConfig> {
+        let calls = self.callers.calls(path);
+        let own = calls
+            .iter()
+            .filter(|call| call.call.caller.starts_with(package));
+        let mut found: Vec<RootConfig> = Vec::new();
+        for root in own.filter_map(|call| self.started(call)) {
+            if !found.contains(&root) {
+                found.push(root);
+            }
+        }
+        found
     }
 
     /// The robot that MoveIt loads rather than the one in `.setup_assistant`: `config/NAME.urdf.xacro`, in which the assistant

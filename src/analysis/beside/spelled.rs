@@ -127,11 +127,7 @@ impl Session {
                     names.places.insert(place);
                 }
             }
-            let included = reach(&source, &self.packages)
-                .files(&self.vfs)
-                .flatten()
-                .collect::<Vec<_>>();
-            for file in included {
+            for file in reach(&source, &self.packages).reached(&self.vfs) {
                 if files.len() < MOST_FILES && !files.contains(&file) {
                     files.push(file);
                 }

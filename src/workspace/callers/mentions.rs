@@ -332,6 +332,11 @@ impl TextMentions {
         !file_names::is_description(name_of(path)) && self.words(path).meets()
     }
 
+    /// Whether a text starts Gazebo Classic.
+    pub fn starts_classic(&self, path: &Path) -> bool {
+        !file_names::is_description(name_of(path)) && self.words(path).runs_classic()
+    }
+
     /// Whether a text runs controllers.
     pub fn controls(&self, path: &Path) -> bool {
         !file_names::is_description(name_of(path)) && self.words(path).controls()

@@ -266,10 +266,25 @@ impl Callers {
         !mentions.is_named(&own.name) && twins.iter().any(|(name, _)| mentions.is_named(name))
     }
 
-    /// Whether a launch file or program around a file starts Gazebo Classic, or may do so.
+    /// Whether something that loads the description `file` starts Gazebo Classic, or may do so: where nothing loads anything,
+    /// others may.
     pub fn run_gazebo_classic(&self, file: &Path) -> bool {
-        self.mentions(file)
-            .is_none_or(|all| !all.is_whole || all.runs_classic)
+        let Some(mentions) = self.mentions(file).filter(|all| all.is_whole) else {
+            return true;
+        };
+        if !mentions.runs_classic {
+            return false;
+        }
+        let mut open = self.loaders(file, &mentions);
+        let mut seen: FastSet<PathBuf> = FastSet::default();
+        while let Some(path) = open.pop() {
+            if is_run(&path, &self.packages) && seen.insert(path.clone()) {
+                open.extend(self.loaders(&path, &mentions));
+            }
+        }
+        let mut beside = self.simulators_beside(file, &seen, &mentions).into_iter();
+        seen.iter().any(|path| mentions.starts_classic(path))
+            || beside.any(|path| mentions.starts_classic(path))
     }
 
     /// Whether there are launch files or programs around a file.
