@@ -312,3 +312,46 @@ fn transmissions_that_nothing_reads() {
     assert_eq!(of(&loads("rviz"), &[starts]), Some(Severity::Error));
     assert_eq!(of("", &[]), Some(Severity::Error));
 }
+
+#[test]
+fn plugins_of_ros_1_where_something_starts_gazebo_classic() {
+    let of = |shows: &str, starts: &str| {
+        let ament = |name: &str| {
+            format!(
+                "<package><name>{name}</name><buildtool_depend>ament_cmake</buildtool_depend></package>"
+            )
+        };
+        let (arm, sim) = (ament("arm"), ament("sim"));
+        let robot = "<robot name='r'><link name='base'/><gazebo><plugin name='c' filename='libgazebo_ros_control.so'/></gazebo></robot>";
+        let files = [
+            ("arm/package.xml", arm.as_str()),
+            ("sim/package.xml", sim.as_str()),
+            ("arm/urdf/arm.urdf", robot),
+            (
+                "sim/urdf/cart.urdf",
+                "<robot name='c'><link name='c'/></robot>",
+            ),
+            ("arm/launch/show.launch.py", shows),
+            ("sim/launch/sim.launch.py", starts),
+        ];
+        severity("ros1-gazebo-plugin", &files)
+    };
+    let load = |file: &str| {
+        let package = if file == "cart.urdf" { "sim" } else { "arm" };
+        format!("open(get_package_share_directory('{package}') + '/urdf/{file}')")
+    };
+    let shows = format!("{}\nNode(package='rviz2')", load("arm.urdf"));
+    let starts = |file: &str| {
+        format!(
+            "{}\nNode(package='gazebo_ros', executable='spawn_entity.py')",
+            load(file)
+        )
+    };
+    assert_eq!(of(&shows, &starts("arm.urdf")), Some(Severity::Warning));
+    assert_eq!(of(&shows, &starts("cart.urdf")), Some(Severity::Info));
+    let selects = format!(
+        "{}\nDeclareLaunchArgument('model', choices=['arm', 'cart'])",
+        starts("cart.urdf")
+    );
+    assert_eq!(of(&shows, &selects), Some(Severity::Warning));
+}

@@ -8,7 +8,7 @@ use super::caller::Caller;
 use super::file_names::{self, name_of};
 use super::meant::may_mean;
 use super::mentions::TextMentions;
-use super::read::has_any;
+use super::read::{has_any, has_name};
 use super::uses::Uses;
 use base::FastSet;
 use packages::Packages;
@@ -283,8 +283,12 @@ impl Callers {
             }
         }
         let mut beside = self.simulators_beside(file, &seen, &mentions).into_iter();
+        // an argument may be the name without its ending
+        let stem = name_of(file).split('.').next().unwrap_or_default();
+        let selects = |path: &Path| self.packages.is_text(path, |text| has_name(text, stem));
         seen.iter().any(|path| mentions.starts_classic(path))
             || beside.any(|path| mentions.starts_classic(path))
+            || (mentions.simulators()).any(|path| mentions.starts_classic(path) && selects(path))
     }
 
     /// Whether there are launch files or programs around a file.
