@@ -6,6 +6,7 @@ use super::root_analysis::task_of;
 use super::root_config::RootConfig;
 use super::run_task;
 use super::session::Session;
+use base::limits::CALL_RUNS;
 use base::{CancelFlag, Span};
 use expand::{Expansion, Request, expand};
 use model::{Joint, JointType, Robot};
@@ -91,6 +92,11 @@ impl<'s> LaunchedTransforms<'s> {
             Some((argument.name.clone(), value))
         });
         let args: XacroArgs = args.collect();
+        let is_known = self.expanded.contains_key(&(file.clone(), args.clone()));
+        let of_this = self.expanded.keys().filter(|(other, _)| *other == file);
+        if !is_known && of_this.count() >= CALL_RUNS {
+            return None;
+        }
         let cancel = self.cancel;
         let expanded = || {
             let root = RootConfig {

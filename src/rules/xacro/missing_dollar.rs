@@ -42,13 +42,14 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
         return;
     }
     let names = names(cx);
+    let reached = bare_in_robot(cx);
     for Bare { range, name, .. } in places
         .into_iter()
         .filter(|bare| names.contains(bare.name) || bare.params.contains(&bare.name))
     {
         let text = cx.source.document.slice(range);
         // in a branch or macro that no call reaches, nobody gets it
-        let severity = if stands_in_robot(cx, &text) {
+        let severity = if reached.contains(text.as_str()) {
             RULE.severity
         } else {
             Severity::Info
@@ -69,15 +70,21 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
     }
 }
 
-/// Whether a text or an attribute of the robot contains a text.
-fn stands_in_robot(cx: &FileCx<'_>, text: &str) -> bool {
+/// The names in braces without `$` that texts and attributes of the robot have, with the braces.
+fn bare_in_robot<'a>(cx: &FileCx<'a>) -> FastSet<&'a str> {
     let tree = &cx.expansion.tree;
-    let is_in = |id: XId| {
-        let node = tree.get(id);
-        let is_text = node.kind == XKind::Text && node.text.contains(text);
-        is_text || node.attrs.iter().any(|attr| attr.value.contains(text))
-    };
-    tree.below(XId::DOCUMENT).any(is_in)
+    let nodes = tree.below(XId::DOCUMENT).map(|id| tree.get(id));
+    let texts = nodes.flat_map(|node| {
+        let text = (node.kind == XKind::Text).then_some(&node.text);
+        text.into_iter()
+            .chain(node.attrs.iter().map(|attr| &attr.value))
+    });
+    texts
+        .flat_map(|text| {
+            let starts = text.match_indices(['{', '(']);
+            starts.filter_map(|(at, _)| Some(bare(text, at)?.0.slice(text)))
+        })
+        .collect()
 }
 
 /// The properties of the robot.
