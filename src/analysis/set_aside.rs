@@ -356,8 +356,9 @@ impl Session {
     fn words_of(&self, file: &Path) -> Vec<String> {
         let top = self.packages.sources_around(file);
         let inside = top
-            .and_then(|top| file.strip_prefix(top).ok().map(Path::to_path_buf))
-            .unwrap_or_default();
+            .and_then(|top| file.strip_prefix(top).ok())
+            .or_else(|| file.file_name().map(Path::new))
+            .unwrap_or(Path::new(""));
         let copied = ["(copy", "(copia", "(otra copia", "(copie", "(kopie"];
         let path = inside.to_string_lossy().to_lowercase();
         words(

@@ -34,9 +34,7 @@ pub fn workspace_root(vfs: &Vfs, start: &Path, home: Option<&Path>) -> Option<Pa
     let start = vfs.absolute(start);
     let mut repository = None;
     for folder in start.ancestors() {
-        let too_wide =
-            folder.parent().is_none() || home.is_some_and(|home| home.starts_with(folder));
-        if too_wide {
+        if is_too_wide(folder, home) {
             break;
         }
         if is_workspace(vfs, folder, &start) {
@@ -47,6 +45,11 @@ pub fn workspace_root(vfs: &Vfs, start: &Path, home: Option<&Path>) -> Option<Pa
         }
     }
     repository
+}
+
+/// Whether a folder holds more than one's sources: the disk, `home` and what is above it.
+pub(super) fn is_too_wide(folder: &Path, home: Option<&Path>) -> bool {
+    folder.parent().is_none() || home.is_some_and(|home| home.starts_with(folder))
 }
 
 fn is_workspace(vfs: &Vfs, folder: &Path, start: &Path) -> bool {

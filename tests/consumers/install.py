@@ -58,8 +58,7 @@ def python(folder, readers):
 def debian(packages):
     missing = [name for name in packages if subprocess.run(['dpkg', '-s', name], capture_output=True, check=False).returncode]
     if missing:
-        run('apt-get', 'update', '-qq')
-        run('apt-get', 'install', '-y', '-qq', '--no-install-recommends', *missing)
+        run(HERE.parent / 'apt.sh', *missing)
 
 
 def compiled(folder, readers):

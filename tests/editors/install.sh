@@ -78,8 +78,7 @@ whole() { mkdir -p "$1" && (cd "$1" && pwd); }
 ready() { [ -x "$1" ] && "$1" --version 2>/dev/null | head -1; }
 
 system() { # PACKAGE...
-    apt-get install -q -y --no-install-recommends "$@" > /dev/null 2>&1 ||
-        { apt-get update -q > /dev/null && apt-get install -q -y --no-install-recommends "$@" > /dev/null; }
+    "$(dirname "$0")/../apt.sh" "$@" > /dev/null
 }
 
 case ${1:-} in

@@ -45,6 +45,8 @@ if [ "${1:-}" = server ]; then
     name=xacro_lsp
     features=(--features server)
 fi
+# both programs come out under one name: what is built beside this must not be taken for it
+if command -v flock >/dev/null; then exec 9>"$out/lock" && flock 9; fi
 cargo rustc --quiet --locked -p xacro-lsp-wasm --lib --crate-type cdylib --profile wasm --target "$target" \
     "${features[@]}" "${extra[@]}"
 built="$CARGO_TARGET_DIR/$target/wasm/wasm.wasm"

@@ -21,9 +21,8 @@ done
 pkg-config --exists libsecret-1 2>/dev/null || missing="$missing libsecret-1-dev"
 if [ -n "$missing" ]; then
     echo "installing$missing"
-    apt-get update -qq
-    # shellcheck disable=SC2086
-    apt-get install -y -qq --no-install-recommends $missing >"$work/apt.log" 2>&1
+    # shellcheck disable=SC2086 # a list of packages
+    tests/apt.sh $missing >"$work/apt.log" 2>&1 || { tail -5 "$work/apt.log"; exit 1; }
 fi
 
 # Packages as the lock files have them, once for each state of a lock file.
