@@ -72,7 +72,11 @@ mod tests {
         assert_eq!(below, Some(tree.path("other")));
         // who opens the whole home means it
         let home = tree.path("home/me");
-        let opened = sources(&tree, &[home.clone()], &tree.path("home/me/a.urdf"));
+        let opened = sources(
+            &tree,
+            std::slice::from_ref(&home),
+            &tree.path("home/me/a.urdf"),
+        );
         assert_eq!(opened, Some(home));
     }
 }
