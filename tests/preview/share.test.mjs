@@ -142,6 +142,16 @@ test('the robot shown for comparison is part of the view', async () => {
   await paste(page, compared);
   await shows(2);
   assert.equal(await beside.locator('option:checked').innerText(), label);
+  // taken back before the server has answered
+  await beside.evaluate((select, text) => {
+    select.value = '';
+    select.dispatchEvent(new Event('change', { bubbles: true }));
+    const clipboardData = new DataTransfer();
+    clipboardData.setData('text/plain', text);
+    document.body.dispatchEvent(new ClipboardEvent('paste', { clipboardData, bubbles: true }));
+  }, compared);
+  assert.equal(await beside.locator('option:checked').innerText(), label);
+  await shows(2);
   await page.waitForURL(/beside\.preset=long/);
   await page.reload();
   await shows(2);

@@ -184,6 +184,8 @@ export class Toolbar {
   }
 
   private choose(): void {
+    // what was filled in is no longer what the lists show, also where the choice is taken back before an answer
+    this.shown = '';
     const choices = this.message?.choices ?? [];
     const root = choices[Number(this.root.value)] ?? this.message?.root;
     this.comparing = this.compare.value === '' ? null : (choices[Number(this.compare.value)] ?? null);
