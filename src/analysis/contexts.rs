@@ -182,9 +182,9 @@ impl Contexts {
             .collect()
     }
 
-    /// What the message of a finding ends with that these runs have, when all of them are made for calls in launch files:
-    /// ` [in 2 of 5 calls]`
-    pub(super) fn calls(&self, runs: &[usize]) -> Option<String> {
+    /// How many calls in launch files these runs are made for, and how many there are of their robots; none when a run is made for
+    /// another reason.
+    fn call_counts(&self, runs: &[usize]) -> Option<(usize, usize)> {
         let called = |&number: &usize| {
             self.runs
                 .get(number)
@@ -192,13 +192,26 @@ impl Contexts {
         };
         let runs: Vec<(&ContextRun, &LaunchCallSites)> =
             runs.iter().map(called).collect::<Option<_>>()?;
-        let own: usize = runs.iter().map(|(_, called)| called.calls.len()).sum();
+        let own = runs.iter().map(|(_, called)| called.calls.len()).sum();
         let mut seen = FastSet::default();
         let robots = runs.iter().filter(|(run, _)| seen.insert(&run.file));
-        let all: usize = robots.map(|(_, called)| called.of).sum();
-        let is_as_called = |other: &ContextRun| {
-            other.is_as_called && runs.iter().any(|(run, _)| run.file == other.file)
-        };
+        Some((own, robots.map(|(_, called)| called.of).sum()))
+    }
+
+    /// Whether these runs are made for some calls in launch files, and there are others of their robots.
+    pub(super) fn is_in_some_calls(&self, runs: &[usize]) -> bool {
+        self.call_counts(runs).is_some_and(|(own, all)| own < all)
+    }
+
+    /// What the message of a finding ends with that these runs have, when all of them are made for calls in launch files:
+    /// ` [in 2 of 5 calls]`
+    pub(super) fn calls(&self, runs: &[usize]) -> Option<String> {
+        let (own, all) = self.call_counts(runs)?;
+        let files: FastSet<&PathBuf> = runs
+            .iter()
+            .filter_map(|&number| Some(&self.runs.get(number)?.file))
+            .collect();
+        let is_as_called = |other: &ContextRun| other.is_as_called && files.contains(&other.file);
         if own == all && self.runs.iter().any(is_as_called) {
             return Some(String::new());
         }

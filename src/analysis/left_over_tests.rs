@@ -172,6 +172,37 @@ fn generated_files_whose_source_is_gone() {
 }
 
 #[test]
+fn robots_that_a_launch_file_with_a_default_may_be_given() {
+    let of = |others: &[(&str, &str)]| {
+        let own = [
+            MANIFEST,
+            ("urdf/sketch.urdf", BROKEN),
+            (
+                "urdf/lamp.urdf",
+                "<robot name='l'><link name='base'/></robot>",
+            ),
+        ];
+        severity_of(
+            "urdf/sketch.urdf",
+            &[&own, others].concat(),
+            "missing-element",
+        )
+    };
+    let given = "<param command='xacro $(arg model)'/><arg name='model'";
+    let shows = format!("{given} default='$(find lamp)/urdf/lamp.urdf'/>");
+    let asks = format!("{given}/>");
+    let runs = "<param textfile='$(find lamp)/urdf/lamp.urdf'/>";
+    let (show, ask) = (
+        ("launch/show.launch", &*shows),
+        ("launch/ask.launch", &*asks),
+    );
+    let run = ("launch/run.launch", runs);
+    assert_eq!(of(&[show]), Some(Severity::Error));
+    assert_eq!(of(&[ask, run]), Some(Severity::Error));
+    assert_eq!(of(&[show, run]), Some(Severity::Info));
+}
+
+#[test]
 fn semantic_descriptions_that_nothing_reads() {
     let srdf = "<robot name='lamp'><group name='all'><link name='base'/></group>\
                 <group_state name='up' group='legs'/></robot>";

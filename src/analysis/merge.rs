@@ -96,9 +96,10 @@ impl Merged {
     /// unused.
     fn finish(mut self, contexts: &Contexts) -> Option<Finding> {
         if self.finding.rule == named::GAZEBO_UNKNOWN_REFERENCE
-            && contexts.other_robots(self.finding.span.file, &self.results) > 0
+            && (contexts.other_robots(self.finding.span.file, &self.results) > 0
+                || contexts.is_in_some_calls(&self.results))
         {
-            // a shared file is written for the robot that has the link
+            // a shared file is written for the robot that has the link, or for the call that asks for it
             self.finding.severity = self.finding.severity.min(Severity::Info);
         }
         if self.finding.rule == named::TRANSMISSION_UNKNOWN_JOINT {

@@ -224,6 +224,92 @@ fn errors_in_robots_that_nothing_loads_beside_others() {
 }
 
 #[test]
+fn errors_in_robots_beside_one_of_the_package_that_is_loaded() {
+    let of = |loads: &str| {
+        let launch = format!(
+            "<param textfile='$(find arm)/urdf/{loads}'/><node pkg='moveit_ros_move_group'/>"
+        );
+        let missing =
+            "<robot name='second' xmlns:xacro='x'><xacro:include filename='gone.xacro'/></robot>";
+        let files = [
+            ("src/arm/package.xml", MANIFEST.1),
+            (
+                "src/arm/urdf/arm.urdf",
+                "<robot name='arm'><link name='base'/></robot>",
+            ),
+            ("src/arm/urdf/second.xacro", missing),
+            // any robot of the package may be given to it
+            (
+                "src/arm/launch/show.launch",
+                "<param command='xacro $(arg model)'/>",
+            ),
+            ("src/run/package.xml", "<package><name>run</name></package>"),
+            ("src/run/launch/arm.launch", launch.as_str()),
+        ];
+        severity("include-not-found", &files)
+    };
+    assert_eq!(of("arm.urdf"), Some(Severity::Info));
+    assert_eq!(of("second.xacro"), Some(Severity::Error));
+    assert_eq!(of("none.urdf"), Some(Severity::Error));
+}
+
+#[test]
+fn gazebo_elements_of_a_flattened_copy() {
+    let of = |launch: &str| {
+        let robot = |name: &str| {
+            format!(
+                "<robot name='{name}'><link name='base'/><gazebo><plugin name='p' filename='p.so'/></gazebo>\
+                 <gazebo reference='gone'><sensor name='s' type='ray'/></gazebo></robot>"
+            )
+        };
+        let files = [
+            MANIFEST,
+            ("urdf/arm.urdf", &*robot("arm")),
+            ("urdf/arm.urdf.xacro", &*robot("arm")),
+            (
+                "launch/plan.launch",
+                "<param textfile='$(find arm)/urdf/arm.urdf'/><node pkg='moveit_ros_move_group'/>",
+            ),
+            ("launch/run.launch", launch),
+        ];
+        let places = found(&files, "gazebo-unknown-reference");
+        let own = places.iter().find(|(name, _)| name == "urdf/arm.urdf");
+        own.map(|found| found.1)
+    };
+    let simulates =
+        "<param command='xacro $(find arm)/urdf/arm.urdf.xacro'/><node pkg='gazebo_ros'/>";
+    assert_eq!(of(simulates), Some(Severity::Info));
+    assert_eq!(of("<node pkg='gazebo_ros'/>"), Some(Severity::Warning));
+}
+
+#[test]
+fn references_of_gazebo_that_some_calls_lack() {
+    let robot = "<robot name='arm' xmlns:xacro='x'><xacro:arg name='laser' default='true'/><link name='base'/>\
+        <xacro:macro name='mount' params='n'><link name='${n}_mount'/><joint name='${n}' type='fixed'>\
+        <parent link='base'/><child link='${n}_mount'/></joint></xacro:macro>\
+        <xacro:if value='$(arg laser)'><xacro:mount n='laser'/></xacro:if>\
+        <gazebo reference='laser_mount'><sensor name='s' type='ray'/></gazebo></robot>";
+    let of = |calls: &[&str]| {
+        let call = |laser: &&str| {
+            format!(
+                "<param command='xacro $(find arm)/urdf/arm.xacro laser:={laser}'/><node pkg='gazebo_ros'/>"
+            )
+        };
+        let launch: String = calls.iter().map(call).collect();
+        let launch = format!("<launch>{launch}</launch>");
+        let files = [
+            MANIFEST,
+            ("urdf/arm.xacro", robot),
+            ("launch/run.launch", launch.as_str()),
+        ];
+        severity("gazebo-unknown-reference", &files)
+    };
+    assert_eq!(of(&["false"]), Some(Severity::Warning));
+    assert_eq!(of(&["false", "true"]), Some(Severity::Info));
+    assert_eq!(of(&["true"]), None);
+}
+
+#[test]
 fn simulators_with_models_of_their_own() {
     let of = |others: &[(&str, &str)]| {
         let own = [

@@ -84,6 +84,13 @@ impl Session {
                 .never_refuse(&task.file)
                 .then_some(Severity::Warning)
         });
+        // the program that wrote one of them wrote all of them
+        let is_mild = |finding: &&mut Finding| {
+            finding.severity == Severity::Warning && is_impossible(finding)
+        };
+        for finding in findings.iter_mut().filter(is_mild) {
+            finding.group = Some(Group::File);
+        }
         // Bullet computes inertia from the shapes unless it is told otherwise
         let about_bullet = |finding: &Finding| {
             let is_taken = is_before_declaration(finding)

@@ -1,4 +1,5 @@
 //! What is right, and of no account for those who use the file.
+use std::cell::LazyCell;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
@@ -48,8 +49,14 @@ impl Session {
             let is_run = simulators.any(|name| self.callers.quote(file, name));
             (!is_run).then_some(Severity::Info)
         });
-        // Gazebo takes paths as they are
-        self.lower_where(findings, about(named::MESH_PATH_WITHOUT_SCHEME), || {
+        // Gazebo takes paths as they are, and colors from elements of its own
+        let is_for_viewers = |finding: &Finding| {
+            finding.rule == named::MESH_PATH_WITHOUT_SCHEME
+                || finding.rule == named::UNKNOWN_ELEMENT
+                    && finding.message.starts_with("unknown element `material`")
+                    && self.callers.launch(file)
+        };
+        self.lower_where(findings, is_for_viewers, || {
             let mut shows = ["rviz", "moveit"].into_iter();
             (!shows.any(|program| self.callers.quote(file, program))).then_some(Severity::Info)
         });
@@ -82,7 +89,7 @@ impl Session {
     }
 
     /// What matters only to simulators and planners is an info where none of them gets the robot, and so is what is wrong in a robot
-    /// that nothing loads while others are loaded, unless it cannot be loaded. What loads one of the `parts` of a robot gets that part.
+    /// that nothing loads while others are loaded; that it cannot be loaded only where these are of its package. What loads one of the `parts` of a robot gets that part.
     pub(super) fn settle_by_purpose(
         &self,
         file: &Path,
@@ -112,7 +119,11 @@ impl Session {
         let mut files = parts.iter().map(|part| &part.source.path);
         let is_for_gazebo = robot.is_some_and(|robot| runs_in_gazebo(&expansion.tree, robot))
             || files.any(|part| self.callers.is_for_gazebo(part));
-        if is_for_gazebo {
+        let is_shown = purpose.is_loaded && !purpose.is_weighed;
+        if is_for_gazebo && is_shown && self.simulate_the_source(file) {
+            let for_gazebo = |finding: &Finding| finding.rule.has(Trait::Gazebo);
+            self.lower_where(findings, for_gazebo, || Some(Severity::Info));
+        } else if is_for_gazebo {
             (purpose.is_weighed, purpose.is_met) = (true, true);
         }
         // where robots are only shown, others may load what nothing here does, or simulate it
@@ -134,8 +145,12 @@ impl Session {
             return;
         }
         let is_unreached = may_be_unreached && !purpose.is_loaded && self.is_unreached(file);
+        let is_passed_over = LazyCell::new(|| is_unreached && self.is_another_loaded(file));
         for finding in findings.iter_mut().filter(|finding| is_news(finding)) {
-            if is_unreached && !is_about_loading(finding) || is_without_effect(finding, purpose) {
+            if is_unreached && !is_about_loading(finding)
+                || is_without_effect(finding, purpose)
+                || *is_passed_over
+            {
                 finding.severity = Severity::Info;
             }
         }
@@ -151,6 +166,44 @@ impl Session {
             (purpose.is_loaded, purpose.is_met) = (true, true);
         }
         Some(purpose)
+    }
+
+    /// Whether a file is plain URDF, and a simulator gets the same robot from a xacro file of its package.
+    fn simulate_the_source(&self, file: &Path) -> bool {
+        let has_ending =
+            |file: &Path, ending: &str| file.extension().is_some_and(|own| own == ending);
+        let Some(package) = self
+            .packages
+            .containing(file)
+            .filter(|_| has_ending(file, "urdf"))
+        else {
+            return false;
+        };
+        let Some(name) = self.robot_name(file) else {
+            return false;
+        };
+        let all = self.callers.descriptions(file);
+        let mut sources = all.iter().filter(|other| {
+            has_ending(other, "xacro")
+                && other.starts_with(&package.folder)
+                && self.robot_name(other).as_deref() == Some(&*name)
+        });
+        sources.any(|source| {
+            let purpose = self.callers.purpose(source);
+            purpose.is_some_and(|purpose| purpose.is_loaded && purpose.is_weighed)
+        })
+    }
+
+    /// Whether a launch file or program leads to another description of the package of a file.
+    fn is_another_loaded(&self, file: &Path) -> bool {
+        let Some(package) = self.packages.containing(file) else {
+            return false;
+        };
+        let all = self.callers.descriptions(file);
+        let mut others = all
+            .iter()
+            .filter(|other| *other != file && other.starts_with(&package.folder));
+        others.any(|other| self.purpose(other).is_some_and(|purpose| purpose.is_loaded))
     }
 
     /// Whether no text leads to a description, nor to what includes it.

@@ -1,5 +1,6 @@
 //! Remembered answers.
 
+use std::borrow::Borrow;
 use std::hash::Hash;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
@@ -29,7 +30,10 @@ impl<K: Eq + Hash, V: Clone> AnswerCache<K, V> {
     }
 
     /// The answer to `key`, where it is known.
-    pub fn known(&self, key: &K) -> Option<V> {
+    pub fn known<Q: Eq + Hash + ?Sized>(&self, key: &Q) -> Option<V>
+    where
+        K: Borrow<Q>,
+    {
         let cells = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         cells.get(key)?.get().cloned()
     }

@@ -128,6 +128,8 @@ pub struct Packages {
     trees: AnswerCache<(PathBuf, Rules), Arc<PackageTree>>,
     owners: AnswerCache<PathBuf, Option<Package>>,
     roots: AnswerCache<PathBuf, Option<PathBuf>>,
+    /// The widest folders of sources around files, by the folders of these.
+    pub(super) sources: AnswerCache<PathBuf, Option<PathBuf>>,
     installed: AnswerCache<Prefix, Arc<Vec<String>>>,
     pub(super) indexes: AnswerCache<PathBuf, Arc<Index>>,
     pub(super) builds: AnswerCache<PathBuf, Arc<Build>>,
@@ -160,6 +162,7 @@ impl Packages {
             mentioned: AnswerCache::default(),
             unbuilt: AnswerCache::default(),
             roots: AnswerCache::default(),
+            sources: AnswerCache::default(),
             installed: AnswerCache::default(),
             indexes: AnswerCache::default(),
             builds: AnswerCache::default(),
@@ -317,6 +320,7 @@ impl Packages {
         self.mentioned.clear();
         self.unbuilt.clear();
         self.roots.clear();
+        self.sources.clear();
         self.installed.clear();
         self.indexes.clear();
         self.builds.clear();

@@ -11,6 +11,15 @@ impl Packages {
     /// else the folder of the file. The whole disk is none, and so is a home for a file that only lies there: to read it
     /// takes long, and who uses the file is not found by it.
     pub fn sources_around(&self, file: &Path) -> Option<PathBuf> {
+        let beside = file.parent()?;
+        if let Some(known) = self.sources.known(beside) {
+            return known;
+        }
+        self.sources
+            .get(beside.to_owned(), || self.widest_around(file))
+    }
+
+    fn widest_around(&self, file: &Path) -> Option<PathBuf> {
         let file = without_parents(&self.vfs.absolute(file));
         let mut sources = self.source_folders(&file);
         sources.retain(|folder| {

@@ -85,6 +85,8 @@ pub const MESH_NOT_FOUND: &Rule = &geometry::mesh_not_found::RULE;
 pub const MISSING_ATTRIBUTE: &Rule = &xml::missing_attribute::RULE;
 /// `unknown-attribute`
 pub const UNKNOWN_ATTRIBUTE: &Rule = &xml::unknown_attribute::RULE;
+/// `unknown-element`
+pub const UNKNOWN_ELEMENT: &Rule = &xml::unknown_element::RULE;
 /// `wrong-vector-length`
 pub const WRONG_VECTOR_LENGTH: &Rule = &xml::wrong_vector_length::RULE;
 /// `xacro-tags-in-urdf`

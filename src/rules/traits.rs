@@ -16,6 +16,8 @@ pub enum Trait {
     Contact,
     /// About what simulators and planners do, which a robot that is only shown does not need.
     Simulation,
+    /// About what only Gazebo reads.
+    Gazebo,
     /// About plugins for Gazebo Classic, which nothing loads where it does not run.
     GazeboClassic,
     /// About transmissions, which only controllers read, and simulators that run some.
@@ -65,6 +67,13 @@ static CONTACT: [&Rule; 2] = [
 static SIMULATION: [&Rule; 2] = [
     &control::gazebo_unknown_reference::RULE,
     &joint::mimic_range_exceeds_limits::RULE,
+];
+
+static GAZEBO: [&Rule; 4] = [
+    &control::gazebo_unknown_reference::RULE,
+    &control::plugin_file_not_found::RULE,
+    &control::plugin_unknown_joint::RULE,
+    &control::plugin_wheel_mismatch::RULE,
 ];
 
 static GAZEBO_CLASSIC: [&Rule; 2] = [
@@ -189,6 +198,7 @@ impl Trait {
             Trait::Deprecated => &DEPRECATED,
             Trait::Contact => &CONTACT,
             Trait::Simulation => &SIMULATION,
+            Trait::Gazebo => &GAZEBO,
             Trait::GazeboClassic => &GAZEBO_CLASSIC,
             Trait::Transmission => &TRANSMISSION,
             Trait::AcceptedByBullet => &ACCEPTED_BY_BULLET,

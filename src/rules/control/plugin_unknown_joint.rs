@@ -7,7 +7,7 @@ use super::plugins::plugins_of;
 use expand::XTree;
 use model::{AttrValue, Robot};
 
-pub(super) static RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "CTL029",
     name: "plugin-unknown-joint",
     category: Category::Control,

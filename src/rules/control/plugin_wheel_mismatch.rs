@@ -7,7 +7,7 @@ use super::wheel_sizes::{DriveLength, WheelPair, length};
 use expand::{XId, XTree};
 use model::AttrValue;
 
-pub(super) static RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "CTL032",
     name: "plugin-wheel-mismatch",
     category: Category::Control,

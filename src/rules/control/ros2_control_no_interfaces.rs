@@ -3,7 +3,7 @@ use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::misspelled_plugin::HARDWARE;
-use model::{AttrValue, ControlJoint, Ros2Control, tag_start};
+use model::{AttrValue, ControlJoint, Robot, Ros2Control, tag_start};
 
 pub(super) static RULE: Rule = Rule {
     code: "CTL011",
@@ -27,6 +27,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         .flat_map(|control| control.joints.iter().map(move |joint| (control, joint)))
     {
         if joint.interfaces().next().is_none()
+            && !is_unknown(robot, joint)
             && !mimics(cx, joint)
             && !exports_its_own(cx, control)
         {
@@ -67,6 +68,12 @@ fn may_know_better(cx: &DocumentCx<'_>, control: &Ros2Control) -> bool {
             .joints
             .iter()
             .all(|joint| joint.interfaces().next().is_none())
+}
+
+/// Whether the robot does not have the joint, which is what has to be put right.
+fn is_unknown(robot: &Robot, joint: &ControlJoint) -> bool {
+    let name = joint.name.as_ref().and_then(AttrValue::name);
+    name.is_some_and(|name| robot.joint(name).is_none())
 }
 
 /// Joints that follow another one need no interface: by attribute, or by a parameter as it used to be written.

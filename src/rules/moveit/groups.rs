@@ -7,7 +7,8 @@ use packages::nearest;
 use project::{ProjectNameKind, SpannedName, is_computed};
 
 /// Report the groups that no SRDF of the robot defines. With `may_lack`, some groups have no such settings, as a gripper has no
-/// kinematics solver: then a name counts as left over, unless it resembles that of a group without settings.
+/// kinematics solver and any group plans with the defaults: then a name counts as left over, unless it resembles that of a group without
+/// settings.
 pub(super) fn unknown(
     cx: &BesideCx<'_>,
     out: &mut Sink<'_>,

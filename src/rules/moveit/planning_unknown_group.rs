@@ -17,5 +17,5 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
     let Some(settings) = cx.settings() else {
         return;
     };
-    unknown(cx, out, &settings.planners, ("planners", false));
+    unknown(cx, out, &settings.planners, ("planners", true));
 }

@@ -9,7 +9,7 @@ pub(in super::super) static RULE: Rule = Rule {
     code: "STR010",
     name: "duplicate-geometry-name",
     category: Category::Structure,
-    severity: Severity::Warning,
+    severity: Severity::Info,
     default: Activation::On,
     since: "0.1",
     fix: None,

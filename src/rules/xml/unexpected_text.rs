@@ -62,7 +62,10 @@ fn report(cx: &DocumentCx<'_>, parent: XId, text: XId, out: &mut Sink<'_>) {
     );
     // what other languages write in front of a comment
     let is_comment = ["#", "//"].iter().any(|start| shown.starts_with(start));
-    let is_harmless = is_comment || is_prose(cx, parent, &shown) || is_left_over(cx, parent, text);
+    let is_harmless = is_comment
+        || is_prose(cx, parent, &shown)
+        || is_left_over(cx, parent, text)
+        || is_note(cx, parent, text);
     out.report(trimmed(cx, node.origin), message)
         .severity(if is_harmless {
             Severity::Info
@@ -99,6 +102,17 @@ fn is_left_over(cx: &DocumentCx<'_>, parent: XId, text: XId) -> bool {
         .filter(|node| node.kind != XKind::Text || !node.text.trim().is_empty())
         .last();
     last.is_some_and(|last| last.kind == XKind::Comment)
+}
+
+/// Whether a text without marks of markup goes on where a comment in the same line ends: a note that was put behind it.
+fn is_note(cx: &DocumentCx<'_>, parent: XId, text: XId) -> bool {
+    let tree = &cx.expansion.tree;
+    let said = tree.get(text).text.as_str();
+    let blank = said.len() - said.trim_start().len();
+    let is_in_line = !said.get(..blank).is_some_and(|blank| blank.contains('\n'));
+    let before = tree.children(parent).take_while(|&child| child != text);
+    let is_comment = |id: XId| tree.get(id).kind == XKind::Comment;
+    is_in_line && !said.contains(['<', '>', '=']) && before.last().is_some_and(is_comment)
 }
 
 /// A place without the blanks around its text.

@@ -18,6 +18,8 @@ pub struct Caller {
     pub(super) endings: Vec<String>,
     /// Whether whoever calls it names the description.
     pub(super) is_open: bool,
+    /// Whether it names a description that is there.
+    pub(super) has_default: bool,
     /// The xacro that it runs.
     pub(super) era: Option<Era>,
     /// Whether it starts a simulator, a planner or controllers.

@@ -38,18 +38,26 @@ impl Callers {
     /// The names of the descriptions in the package of `file` that launch files, programs and build files load instead: none where the file itself
     /// is named somewhere, or the launch files take the name of any and it `may_be_given`.
     pub fn launched_instead(&self, file: &Path, may_be_given: bool) -> FastSet<String> {
-        let may_mean = |caller: &Caller| {
-            caller.says(file) || may_be_given && caller.is_open && caller.is_launch()
-        };
         let all = self
             .packages
             .containing(file)
             .and_then(|_| self.around(file));
-        let Some(all) = all.filter(|_| !self.of(file).iter().any(may_mean)) else {
+        let Some(all) = all else {
             return FastSet::default();
         };
         let is_loader = |caller: &&Caller| caller.may_load(file, &self.packages);
         let launches = all.callers.iter().filter(is_loader);
+        // where others load robots of their own, a launch file with a default is for that one
+        let has_own = launches
+            .clone()
+            .any(|caller| !caller.is_open && caller.has_default);
+        let may_be = |caller: &Caller| caller.is_open && !(has_own && caller.has_default);
+        let may_mean = |caller: &Caller| {
+            caller.says(file) || may_be_given && caller.is_launch() && may_be(caller)
+        };
+        if self.of(file).iter().any(may_mean) {
+            return FastSet::default();
+        }
         launches
             .flat_map(|caller| caller.descriptions.keys().cloned())
             .collect()

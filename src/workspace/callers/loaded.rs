@@ -115,11 +115,13 @@ impl Callers {
         })
     }
 
-    /// Whether a file that names the description `file` also holds `text`, letter for letter.
+    /// Whether a file that names the description `file` also holds `text`, letter for letter, outside of comments.
     pub fn quote(&self, file: &Path, text: &str) -> bool {
         self.of(file).iter().any(|caller| {
-            self.packages
-                .is_text(&caller.path, |said| said.contains(text))
+            let name = name_of(&caller.path);
+            self.packages.is_text(&caller.path, |said| {
+                read::without_comments(name, said).contains(text)
+            })
         })
     }
 }

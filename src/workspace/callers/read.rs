@@ -57,6 +57,7 @@ pub(super) fn caller(path: &Path, text: &str) -> Option<Caller> {
         descriptions,
         endings,
         is_open: takes_any(text),
+        has_default: false,
         era: era(text),
         is_bullet: has_any(text, &["loadURDF(", "Bullet", "pybullet"]),
         is_raisim: has_any(text, &["addArticulatedSystem", "raisim"]),

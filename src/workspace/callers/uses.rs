@@ -109,6 +109,11 @@ pub(super) fn search(vfs: &Vfs, top: &Path) -> Uses {
                 .push(path.to_owned());
         }
     });
+    let files = &uses.files;
+    for caller in &mut uses.callers {
+        let mut names = caller.descriptions.keys();
+        caller.has_default = names.any(|name| files.contains_key(name));
+    }
     uses.callers.sort_by(|a: &Caller, b| a.path.cmp(&b.path));
     uses.scripts.sort();
     uses.beside.sort();
