@@ -16,7 +16,7 @@ def write(folder):
                 if file:
                     file.close()
                 file = None
-                if verdict == "bad" and kind in ("urdf", "xacro"):
+                if verdict.partition(",")[0] == "bad" and kind in ("urdf", "xacro"):
                     count += 1
                     file = open(os.path.join(folder, f"{name}_{count}.{kind}"), "w", encoding="utf-8")
             elif file and line.startswith("//- "):
