@@ -1,11 +1,12 @@
-//! Descriptions that launch files call or load, and that are not there.
-use std::path::Path;
+//! Descriptions that launch files call or load, and that are not there, or are not to be loaded as they are.
+use std::path::{Path, PathBuf};
 
 use super::session::Session;
 use base::Span;
 use packages::nearest;
-use rules::{Finding, Severity, launched_file_not_found};
+use rules::{Finding, Severity, launched_file_not_found, launched_without_xacro};
 use workspace::RobotCall;
+use xml::Document;
 
 /// Looks for descriptions that launch files name and that are not there.
 pub(super) struct LaunchedDescriptions<'s>(pub &'s Session);
@@ -21,6 +22,35 @@ impl LaunchedDescriptions<'_> {
         let caller = &group.first()?.call.caller;
         let is_made = group.iter().any(may_appear) || self.writes_descriptions(caller);
         (!is_made).then_some(missing)
+    }
+
+    /// A file for xacro that is loaded as it is, in a text that does not run xacro.
+    pub fn unexpanded_load(&self, group: &[RobotCall]) -> Option<Finding> {
+        let load = group.iter().find(|load| self.is_unexpanded(load))?;
+        let place = load.call.file.place().unwrap_or(load.call.range);
+        let span = Span {
+            file: self.0.vfs.file_id(&load.call.caller),
+            range: place,
+        };
+        // what XML loads goes nowhere else; a program may expand or only read it
+        let caller = &load.call.caller;
+        let is_xml = |ending: &std::ffi::OsStr| ending == "launch" || ending == "xml";
+        let is_loaded = caller.extension().is_some_and(is_xml)
+            || self.0.packages.is_text(caller, |text| {
+                text.contains("LaunchDescription") && !runs_xacro(text)
+            });
+        is_loaded.then(|| launched_without_xacro(span, &load.call.file.shown()))
+    }
+
+    /// Whether the file of a call has the ending of xacro, and something for it.
+    fn is_unexpanded(&self, load: &RobotCall) -> bool {
+        let is_named = |path: &&PathBuf| {
+            let name = path.file_name().unwrap_or_default().to_string_lossy();
+            name.to_ascii_lowercase().contains(".xacro")
+        };
+        let source = load.target.as_ref().filter(is_named);
+        let source = source.and_then(|path| self.0.vfs.document(path).ok());
+        source.is_some_and(|source| needs_xacro(&source.document))
     }
 
     /// Whether a program looks whether files exist, or writes some itself.
@@ -94,4 +124,35 @@ impl LaunchedDescriptions<'_> {
         let is_in_package = call.call.file.in_package().is_some();
         is_in_package && self.0.packages.containing(path).is_some()
     }
+}
+
+/// Whether a text runs xacro, or hands a description on to what does: it has the word by itself or as a call, not only in names.
+fn runs_xacro(text: &str) -> bool {
+    const EXPANDS: [&str; 4] = [
+        "MoveItConfigs",
+        "ParameterBuilder",
+        "load_robot_description",
+        "urdf_launch",
+    ];
+    let is_run = |(at, word): (usize, &str)| {
+        let before = text.get(..at).unwrap_or("");
+        let after = text.get(at + word.len()..).unwrap_or("");
+        let is_part = |c: char| c.is_alphanumeric() || c == '_';
+        let is_word = !before.ends_with(is_part) && !after.starts_with(is_part);
+        !before.ends_with('.') && (is_word || after.starts_with('('))
+    };
+    text.match_indices("xacro").any(is_run) || EXPANDS.iter().any(|name| text.contains(name))
+}
+
+/// Whether a description has elements of xacro other than values, or expressions.
+fn needs_xacro(document: &Document) -> bool {
+    document.parts().any(|(_, item)| {
+        item.all_nodes().any(|node| {
+            let name = node.name();
+            let is_of_xacro =
+                name.starts_with("xacro:") && !["xacro:property", "xacro:arg"].contains(&name);
+            let mut values = node.attrs();
+            is_of_xacro || values.any(|attr| attr.raw().contains("${"))
+        })
+    })
 }

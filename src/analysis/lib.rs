@@ -71,6 +71,8 @@ mod beside_tests;
 #[cfg(test)]
 mod generated_tests;
 #[cfg(test)]
+mod launch_findings_tests;
+#[cfg(test)]
 mod left_over_tests;
 #[cfg(test)]
 mod made_elsewhere_tests;

@@ -395,3 +395,49 @@ fn srdfs_that_only_tests_name() {
     assert_eq!(of("tests/arms", "src/node.cpp"), Some(Severity::Error));
     assert_eq!(of("config", "tests/api.cpp"), Some(Severity::Error));
 }
+
+#[test]
+fn wheels_that_are_meshes() {
+    // from corner to corner of a box
+    let mesh = |[x, y, z]: [f64; 3]| {
+        let facet = |points: [[f64; 3]; 3]| {
+            let vertex = |[x, y, z]: [f64; 3]| format!("vertex {x} {y} {z}\n");
+            let points: String = points.map(vertex).concat();
+            format!("facet normal 0 0 0\nouter loop\n{points}endloop\nendfacet\n")
+        };
+        let (low, high) = ([-x, -y, -z], [x, y, z]);
+        let sides = [
+            facet([low, [x, -y, -z], high]),
+            facet([low, high, [-x, y, z]]),
+        ];
+        format!("solid w\n{}endsolid w\n", sides.concat())
+    };
+    let of = |mesh: &str, diameter: &str| {
+        let wheel = |side: &str, y: &str| {
+            format!(
+                "<link name='{side}'><visual><geometry><mesh filename='package://cart/wheel.stl'/></geometry></visual></link>\
+                 <joint name='{side}_joint' type='continuous'><origin xyz='0 {y} 0'/><parent link='base'/><child link='{side}'/>\
+                 <axis xyz='0 1 0'/></joint>"
+            )
+        };
+        let robot = format!(
+            "<robot name='cart'><link name='base'/>{}{}<gazebo><plugin name='d' filename='libgazebo_ros_diff_drive.so'>\
+             <left_joint>l_joint</left_joint><right_joint>r_joint</right_joint><wheel_diameter>{diameter}</wheel_diameter>\
+             </plugin></gazebo></robot>",
+            wheel("l", "0.2"),
+            wheel("r", "-0.2"),
+        );
+        let files = [
+            ("package.xml", "<package><name>cart</name></package>"),
+            ("urdf/cart.urdf", robot.as_str()),
+            ("wheel.stl", mesh),
+        ];
+        severity("plugin-wheel-mismatch", &files)
+    };
+    let round = mesh([0.1, 0.02, 0.1]);
+    assert_eq!(of(&round, "0.1"), Some(Severity::Warning));
+    assert_eq!(of(&round, "0.2"), None);
+    // a wheel with its fork, or a roller
+    assert_eq!(of(&mesh([0.1, 0.02, 0.15]), "0.1"), None);
+    assert_eq!(of(&mesh([0.1, 0.4, 0.1]), "0.1"), None);
+}

@@ -61,7 +61,7 @@ pub use moveit::{
 pub use names::{JointConnection, OfferedInterface, RobotNames};
 pub use package::{
     Manifests, YamlReader, argument_never_set, description_read_as_yaml,
-    generated_urdf_out_of_date, launched_file_not_found, looping_transform,
+    generated_urdf_out_of_date, launched_file_not_found, launched_without_xacro, looping_transform,
     missing_launch_argument, missing_packages, repeated_transform, unknown_launch_argument,
     value_never_compared, value_outside_choices,
 };

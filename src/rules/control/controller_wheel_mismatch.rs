@@ -71,6 +71,6 @@ fn wheels<'a>(cx: &BesideCx<'a>, controller: &Controller) -> Vec<WheelPair<'a>> 
     };
     let robots = cx.robots.iter();
     robots
-        .filter_map(|paired| WheelPair::of(paired.robot, paired.kinematics, joints))
+        .filter_map(|paired| WheelPair::of(paired.robot, paired.kinematics, joints, &|_| None))
         .collect()
 }

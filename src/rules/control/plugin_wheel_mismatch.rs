@@ -1,11 +1,12 @@
 //! A plugin of Gazebo that is told other wheels than the robot has.
 use super::super::context::RobotCx;
+use super::super::geometry::link_bounds;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::plugins::plugins_of;
 use super::wheel_sizes::{DriveLength, WheelPair, length};
 use expand::{XId, XTree};
-use model::AttrValue;
+use model::{AttrValue, Link};
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "CTL032",
@@ -57,6 +58,12 @@ fn wheels<'a>(cx: &RobotCx<'a>, tree: &XTree, plugin: XId) -> Option<WheelPair<'
     };
     JOINTS.iter().find_map(|[left, right]| {
         let (left, right) = (named(left)?, named(right)?);
-        WheelPair::of(cx.robot, cx.kinematics, [&left.value, &right.value])
+        let bounds = |link: &Link| link_bounds(cx.expansion, cx.robot, cx.world, link);
+        WheelPair::of(
+            cx.robot,
+            cx.kinematics,
+            [&left.value, &right.value],
+            &bounds,
+        )
     })
 }

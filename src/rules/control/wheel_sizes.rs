@@ -2,12 +2,20 @@
 use super::super::numbers::short;
 use nalgebra::Point3;
 
-use model::{Body, Joint, JointType, Kinematics, Link, Robot, ShapeKind, transform};
+use model::{Body, Bounds, Joint, JointType, Kinematics, Link, Robot, ShapeKind, transform};
 
 /// By which factor two lengths differ at least, so that none of them is a rounded or tuned value of the other.
 const MISMATCH: f64 = 1.3;
 /// By which factor the wheels of one size differ at most.
 const SAME_SIZE: f64 = 1.1;
+
+/// By which part of its diameter a wheel differs at most along the two axes that it does not turn about, and its middle from the axis.
+const ROUND: f64 = 0.05;
+/// How many diameters a wheel is wide at most.
+const WIDEST: f64 = 1.2;
+
+/// What gives the box around a link in its frame, in meters, where meshes can be read.
+pub(super) type LinkBounds<'f> = dyn Fn(&Link) -> Option<Bounds> + 'f;
 
 /// A pair of driven wheels.
 pub(super) struct WheelPair<'a> {
@@ -53,20 +61,26 @@ impl DriveLength {
 }
 
 impl<'a> WheelPair<'a> {
-    /// The wheels that two joints turn; none where a shape or place is not known, or a wheel is no cylinder or sphere.
-    pub fn of(robot: &'a Robot, kinematics: &Kinematics, [left, right]: [&str; 2]) -> Option<Self> {
+    /// The wheels that two joints turn; none where a shape or place is not known, or a wheel is neither a cylinder or sphere nor a mesh as
+    /// round as one.
+    pub fn of(
+        robot: &'a Robot,
+        kinematics: &Kinematics,
+        [left, right]: [&str; 2],
+        bounds: &LinkBounds<'_>,
+    ) -> Option<Self> {
         let of = |name: &str| {
             let joint = robot
                 .joints
                 .iter()
                 .position(|joint| joint.shown() == name)?;
-            Wheel::of(robot, kinematics, joint)
+            Wheel::of(robot, kinematics, joint, bounds)
         };
         let (left, right) = (of(left)?, of(right)?);
         let turns = |joint: &Joint| joint.is(&[JointType::Continuous]) && joint.mimic.is_none();
         let turning = (0..robot.joints.len()).filter(|&at| robot.joints.get(at).is_some_and(turns));
         let like_this = turning
-            .filter_map(|joint| Wheel::of(robot, kinematics, joint))
+            .filter_map(|joint| Wheel::of(robot, kinematics, joint, bounds))
             .filter(|wheel| factor(wheel.radius, left.radius) < SAME_SIZE);
         let is_skidding = like_this.count() > 2;
         Some(Self {
@@ -114,23 +128,47 @@ impl<'a> WheelPair<'a> {
 }
 
 impl<'a> Wheel<'a> {
-    fn of(robot: &'a Robot, kinematics: &Kinematics, joint: usize) -> Option<Self> {
-        let (_, child) = kinematics.ends(joint)?;
-        let link = robot.links.get(child)?;
-        let bodies = link.collisions.iter().chain(&link.visuals);
-        let (body, radius) = bodies
-            .filter_map(|body| Some((body, round(body)?)))
-            .next()?;
-        let mut pose = transform(body.origin.as_ref())?;
+    fn of(
+        robot: &'a Robot,
+        kinematics: &Kinematics,
+        at: usize,
+        bounds: &LinkBounds<'_>,
+    ) -> Option<Self> {
+        let (_, child) = kinematics.ends(at)?;
+        let (joint, link) = (robot.joints.get(at)?, robot.links.get(child)?);
+        let mut bodies = link.collisions.iter().chain(&link.visuals);
+        let shaped = bodies.find_map(|body| {
+            let center = transform(body.origin.as_ref())?.translation.vector;
+            Some((Point3::from(center), round(body)?))
+        });
+        let (middle, radius) = shaped.or_else(|| rolling(joint, bounds(link)?))?;
+        let mut center = middle;
         for above in kinematics.ancestor_joints(child) {
-            pose = transform(robot.joints.get(above)?.origin.as_ref())? * pose;
+            center = transform(robot.joints.get(above)?.origin.as_ref())? * center;
         }
         Some(Self {
             link,
             radius,
-            center: Point3::from(pose.translation.vector),
+            center,
         })
     }
+}
+
+/// Middle and radius of a box that is square around the axis of a joint along one of the coordinate axes, as that of a wheel is.
+fn rolling(joint: &Joint, bounds: Bounds) -> Option<(Point3<f64>, f64)> {
+    let axis = joint.axis.as_ref()?.xyz.as_ref()?.numbers::<3>()?;
+    let about = axis.iter().position(|part| part.abs() > 0.99)?;
+    let (size, center) = (bounds.size(), bounds.center());
+    let across = |of: [f64; 3]| {
+        let mut others = (0..3)
+            .filter(|&at| at != about)
+            .filter_map(|at| of.get(at).copied());
+        Some([others.next()?, others.next()?])
+    };
+    let ([a, b], [x, y]) = (across(size)?, across(center)?);
+    let width = *size.get(about)?;
+    let is_round = (a - b).abs() < ROUND * a.max(b) && x.hypot(y) < ROUND * a;
+    (is_round && width < WIDEST * a).then(|| (Point3::from(center), (a + b) / 4.0))
 }
 
 /// The radius of a cylinder or sphere.

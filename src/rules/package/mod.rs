@@ -10,6 +10,7 @@ pub(super) mod generated_urdf_out_of_date;
 mod invalid_package_name;
 mod launch;
 mod launched_file_not_found;
+mod launched_without_xacro;
 mod malformed_package_xml;
 mod manifest;
 mod mention;
@@ -31,6 +32,7 @@ pub use duplicate_transform::{looping_transform, repeated_transform};
 pub use generated_urdf_out_of_date::generated_urdf_out_of_date;
 pub(super) use launch::reads_as_it_stands;
 pub use launched_file_not_found::launched_file_not_found;
+pub use launched_without_xacro::launched_without_xacro;
 pub use manifest::Manifests;
 pub(super) use mention::PackageMention;
 pub use missing_launch_argument::missing_launch_argument;
@@ -52,6 +54,7 @@ pub(super) static RULES: &[&Rule] = &[
     &malformed_package_xml::RULE,
     &unknown_launch_argument::RULE,
     &launched_file_not_found::RULE,
+    &launched_without_xacro::RULE,
     &generated_urdf_out_of_date::RULE,
     &missing_launch_argument::RULE,
     &value_outside_choices::RULE,

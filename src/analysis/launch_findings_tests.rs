@@ -1,0 +1,187 @@
+//! What is wrong in the calls of launch files.
+use crate::{CheckOptions, Session, Setup};
+use vfs::testing::Tree;
+
+const ROBOT: &str = "<robot name='r' xmlns:xacro='x'><xacro:arg name='use_sim' default='false'/>\
+                     <xacro:if value='$(arg use_sim)'><xacro:include filename='part.xacro'/></xacro:if><link name='a'/></robot>";
+
+/// Check the calls of a launch file: severity and message of what the rules of launch files say.
+fn check_launch(launch: &str, files: &[(&str, &str)], expected: &[&str]) {
+    let tree = Tree::new();
+    tree.write(
+        "arm/package.xml",
+        "<package format='3'><name>arm</name></package>",
+    );
+    tree.write("arm/urdf/arm.urdf.xacro", ROBOT);
+    tree.write(
+        "arm/urdf/part.xacro",
+        "<robot xmlns:xacro='x'><xacro:arg name='inner' default=''/></robot>",
+    );
+    tree.write(
+        "bringup/package.xml",
+        "<package format='3'><name>bringup</name></package>",
+    );
+    tree.write("bringup/launch/arm.launch.py", launch);
+    for (name, text) in files {
+        tree.write(name, text);
+    }
+    let (about, folders) = (tree.root().to_owned(), vec![tree.root().to_owned()]);
+    let setup = Setup {
+        about,
+        folders,
+        ..Setup::default()
+    };
+    let session = Session::new(&tree.environment(&[]), setup).unwrap();
+    let options = CheckOptions {
+        paths: vec![tree.root().to_owned()],
+        ..CheckOptions::default()
+    };
+    let report = session.check(&options);
+    let found = report
+        .findings
+        .iter()
+        .filter(|f| ["PKG009", "PKG010", "PKG018"].contains(&f.rule.code));
+    let found: Vec<String> = found
+        .map(|f| {
+            let text = session.vfs.text(&session.vfs.path(f.span.file)).unwrap();
+            let help = f.help.clone().unwrap_or_default();
+            let near = ["did you mean ", "correct the path: "]
+                .iter()
+                .find_map(|lead| help.strip_prefix(lead))
+                .unwrap_or("");
+            format!(
+                "{} {} @{} {near}",
+                f.severity,
+                f.message,
+                f.span.range.slice(&text.text)
+            )
+        })
+        .collect();
+    let found: Vec<&str> = found.iter().map(|text| text.trim_end()).collect();
+    assert_eq!(found, expected, "{launch}");
+}
+
+fn command(rest: &str) -> String {
+    format!("Command(['xacro ', FindPackageShare('arm'), '/urdf/arm.urdf.xacro'{rest}])\n")
+}
+
+#[test]
+fn arguments_that_no_robot_knows() {
+    check_launch(&command(", ' use_sim:=true', ' inner:=1'"), &[], &[]);
+    let declared = "DeclareLaunchArgument('colour', default_value='red')\n";
+    check_launch(
+        &(declared.to_owned()
+            + &command(", ' use_simm:=true', ' colour:=', LaunchConfiguration('colour')")),
+        &[],
+        &[
+            "error unknown argument `use_simm` of `arm.urdf.xacro` @use_simm `use_sim`?",
+            "warning unknown argument `colour` of `arm.urdf.xacro` @colour",
+        ],
+    );
+    let process = "xacro.process_file(get_package_share_directory('arm') + '/urdf/arm.urdf.xacro', mappings={'colour': 'x'})";
+    // nobody who starts it can give another value
+    check_launch(
+        process,
+        &[],
+        &["info unknown argument `colour` of `arm.urdf.xacro` @colour"],
+    );
+    let like = process.replace("colour", "sim_use_case");
+    check_launch(
+        &like,
+        &[],
+        &["warning unknown argument `sim_use_case` of `arm.urdf.xacro` @sim_use_case"],
+    );
+}
+
+#[test]
+fn what_was_not_read_may_know_them() {
+    for part in [
+        "<xacro:include filename='$(find gone)/a.xacro'/>",
+        "<xacro:include filename='gone.xacro'/>",
+    ] {
+        let part = format!("<robot xmlns:xacro='x'>{part}</robot>");
+        check_launch(
+            &command(", ' colour:=x'"),
+            &[("arm/urdf/part.xacro", &part)],
+            &["info unknown argument `colour` of `arm.urdf.xacro` @colour"],
+        );
+    }
+}
+
+#[test]
+fn launch_files_that_take_any_robot() {
+    let launch = "DeclareLaunchArgument('kind', default_value='arm')\nDeclareLaunchArgument('h')\n\
+                  Command(['xacro ', FindPackageShare('arm'), '/urdf/', LaunchConfiguration('kind'), '.urdf.xacro', ' hand:=', LaunchConfiguration('h')])\n";
+    let hand = "<robot name='h' xmlns:xacro='x'><xacro:arg name='hand' default=''/><link name='$(arg hand)a'/></robot>";
+    let include = "IncludeLaunchDescription(PythonLaunchDescriptionSource([FindPackageShare('bringup'), \
+                   '/launch/arm.launch.py']), launch_arguments={'kind': 'hand'}.items())\n";
+    let files = [
+        ("arm/urdf/hand.urdf.xacro", hand),
+        ("bringup/launch/hand.launch.py", include),
+    ];
+    check_launch(launch, &files, &[]);
+    check_launch(
+        launch,
+        &files[..1],
+        &["warning unknown argument `hand` of `arm.urdf.xacro` @hand"],
+    );
+}
+
+#[test]
+fn descriptions_that_are_not_there() {
+    let gone = command("").replace("arm.urdf", "gone.urdf");
+    check_launch(
+        &gone,
+        &[],
+        &[
+            "warning file `$(find arm)/urdf/gone.urdf.xacro` does not exist @'/urdf/gone.urdf.xacro'",
+        ],
+    );
+    check_launch(&gone.replace("'arm'", "'elsewhere'"), &[], &[]);
+    check_launch(&gone, &[("arm/urdf/gone.urdf.xacro.in", "<robot/>")], &[]);
+    let misspelled = command("").replace("arm.urdf", "Arm.urdf");
+    check_launch(
+        &misspelled,
+        &[],
+        &[
+            "warning file `$(find arm)/urdf/Arm.urdf.xacro` does not exist @'/urdf/Arm.urdf.xacro' \
+             there is `urdf/arm.urdf.xacro`",
+        ],
+    );
+}
+
+#[test]
+fn descriptions_that_are_loaded_as_they_are() {
+    let load = "open(get_package_share_directory('arm') + '/urdf/gone.urdf').read()\n";
+    let gone = "warning file `$(find arm)/urdf/gone.urdf` does not exist @'/urdf/gone.urdf'";
+    check_launch(load, &[], &[gone]);
+    check_launch(load, &[("arm/urdf/gone.urdf", "<robot/>")], &[]);
+    check_launch(&load.replace("'arm'", "'elsewhere'"), &[], &[]);
+    // a program that makes the file, or looks for it
+    check_launch(&format!("{load}os.path.exists(path)"), &[], &[]);
+    check_launch(&format!("{load}open(path, 'w')"), &[], &[]);
+    let build = "add_custom_command(OUTPUT gone.urdf COMMAND xacro)";
+    check_launch(load, &[("arm/CMakeLists.txt", build)], &[]);
+}
+
+#[test]
+fn descriptions_for_xacro_that_are_loaded_as_they_are() {
+    let read = "open(get_package_share_directory('arm') + '/urdf/arm.urdf.xacro').read()\n";
+    let load = &format!("{read}LaunchDescription([])\n");
+    let plain = "warning `$(find arm)/urdf/arm.urdf.xacro` is loaded without xacro, so its xacro elements have no effect \
+                 @'/urdf/arm.urdf.xacro'";
+    check_launch(load, &[], &[plain]);
+    check_launch(&format!("xacro_file = {load}"), &[], &[plain]);
+    // a test, say
+    check_launch(read, &[], &[]);
+    for runs in [
+        "import xacro\n",
+        "expand_xacro(text)\n",
+        "Command(['xacro ', p])\n",
+    ] {
+        check_launch(&format!("{load}{runs}"), &[], &[]);
+    }
+    let values =
+        "<robot name='r' xmlns:xacro='x'><xacro:arg name='a' default='1'/><link name='a'/></robot>";
+    check_launch(load, &[("arm/urdf/arm.urdf.xacro", values)], &[]);
+}
