@@ -1,4 +1,5 @@
 //! Descriptions that launch files call or load, and that are not there, or are not to be loaded as they are.
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 use super::session::Session;
@@ -34,12 +35,13 @@ impl LaunchedDescriptions<'_> {
         };
         // what XML loads goes nowhere else; a program may expand or only read it
         let caller = &load.call.caller;
-        let is_xml = |ending: &std::ffi::OsStr| ending == "launch" || ending == "xml";
-        let is_loaded = caller.extension().is_some_and(is_xml)
+        let is_of_xml = |ending: &OsStr| ending == "launch" || ending == "xml";
+        let is_xml = caller.extension().is_some_and(is_of_xml);
+        let is_loaded = is_xml
             || self.0.packages.is_text(caller, |text| {
                 text.contains("LaunchDescription") && !runs_xacro(text)
             });
-        is_loaded.then(|| launched_without_xacro(span, &load.call.file.shown()))
+        is_loaded.then(|| launched_without_xacro(span, &load.call.file.shown(), is_xml))
     }
 
     /// Whether the file of a call has the ending of xacro, and something for it.

@@ -15,12 +15,15 @@ pub(super) static RULE: Rule = Rule {
     check: Check::Analysis,
 };
 
-/// The finding about a description with xacro elements or expressions that a launch file loads without xacro.
-pub fn launched_without_xacro(span: Span, shown: &str) -> Finding {
+/// The finding about a description with xacro elements or expressions that a launch file, in XML or Python, loads without xacro.
+pub fn launched_without_xacro(span: Span, shown: &str, is_xml: bool) -> Finding {
     let message =
         format!("`{shown}` is loaded without xacro, so its xacro elements have no effect");
     let mut finding = Finding::new(&RULE, span, message);
-    finding.help =
-        Some("expand it: `Command(['xacro ', path])`, or `command=\"xacro path\"`".to_owned());
+    finding.help = Some(if is_xml {
+        format!("expand it: `<param name=\"robot_description\" command=\"xacro {shown}\"/>`")
+    } else {
+        "expand it: `Command(['xacro ', path])`".to_owned()
+    });
     finding
 }
