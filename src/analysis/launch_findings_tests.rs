@@ -184,4 +184,6 @@ fn descriptions_for_xacro_that_are_loaded_as_they_are() {
     let values =
         "<robot name='r' xmlns:xacro='x'><xacro:arg name='a' default='1'/><link name='a'/></robot>";
     check_launch(load, &[("arm/urdf/arm.urdf.xacro", values)], &[]);
+    let used = values.replace("<link name='a'/>", "<link name='$(arg a)'/>");
+    check_launch(load, &[("arm/urdf/arm.urdf.xacro", &used)], &[plain]);
 }

@@ -151,10 +151,10 @@ fn needs_xacro(document: &Document) -> bool {
     document.parts().any(|(_, item)| {
         item.all_nodes().any(|node| {
             let name = node.name();
-            let is_of_xacro =
-                name.starts_with("xacro:") && !["xacro:property", "xacro:arg"].contains(&name);
+            let is_value = ["xacro:property", "xacro:arg"].contains(&name);
             let mut values = node.attrs();
-            is_of_xacro || values.any(|attr| attr.raw().contains("${"))
+            let is_computed = |text: &str| text.contains("${") || text.contains("$(");
+            !is_value && (name.starts_with("xacro:") || values.any(|attr| is_computed(attr.raw())))
         })
     })
 }

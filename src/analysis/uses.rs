@@ -89,7 +89,8 @@ impl Session {
     }
 
     /// What matters only to simulators and planners is an info where none of them gets the robot, and so is what is wrong in a robot
-    /// that nothing loads while others are loaded; that it cannot be loaded only where these are of its package. What loads one of the `parts` of a robot gets that part.
+    /// that nothing loads while others are loaded; that it cannot be loaded only where these are of its package. What
+    /// loads one of the `parts` of a robot gets that part.
     pub(super) fn settle_by_purpose(
         &self,
         file: &Path,
