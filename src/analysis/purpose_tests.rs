@@ -441,3 +441,63 @@ fn plugins_of_ros_1_where_something_starts_gazebo_classic() {
     );
     assert_eq!(of(&shows, &selects), Some(Severity::Warning));
 }
+
+#[test]
+fn limits_of_minus_one_that_no_controller_reads() {
+    let robot = "<robot name='r'><link name='base'/><link name='tip'/><joint name='j' type='revolute'><parent link='base'/>\
+        <child link='tip'/><axis xyz='0 0 1'/><limit lower='-1' upper='1' effort='-1' velocity='1'/></joint></robot>";
+    let of = |launch: &str| {
+        let files = [
+            MANIFEST,
+            ("urdf/arm.urdf", robot),
+            ("launch/arm.launch", launch),
+        ];
+        severity("joint-limit-negative", &files)
+    };
+    let simulates =
+        "<param textfile='$(find arm)/urdf/arm.urdf'/><node pkg='gazebo_ros' type='spawn_model'/>";
+    assert_eq!(of(simulates), Some(Severity::Info));
+    let controls = format!("{simulates}<node pkg='controller_manager' type='spawner'/>");
+    assert_eq!(of(&controls), Some(Severity::Warning));
+    // nothing says what it is for
+    assert_eq!(of("<launch/>"), Some(Severity::Warning));
+}
+
+#[test]
+fn launch_files_of_an_exporter_that_nothing_starts() {
+    const MOMENTS: &str = "inertia-triangle-inequality";
+    const EXPORTED: &str = "<node name='spawn_model' args='-file $(find arm)/urdf/arm.urdf -urdf -model arm'/>\
+        <include file='$(find gazebo_ros)/launch/empty_world.launch'/><node name='fake_joint_calibration'/>";
+    const PLANS: &str =
+        "<param textfile='$(find arm)/urdf/arm.urdf'/><node pkg='moveit_ros_move_group'/>";
+    let of = |others: &[(&str, &str)]| {
+        let own = [
+            ("arm/package.xml", MANIFEST.1),
+            ("arm/urdf/arm.urdf", IMPOSSIBLE),
+            ("arm/launch/gazebo.launch", EXPORTED),
+        ];
+        severity(MOMENTS, &[&own, others].concat())
+    };
+    assert_eq!(
+        of(&[("arm/launch/real.launch", PLANS)]),
+        Some(Severity::Info)
+    );
+    // people wrote nothing else, it is started, or it is a copy in another package
+    let shows = PLANS.replace("moveit_ros_move_group", "rviz");
+    assert_eq!(
+        of(&[("arm/launch/display.launch", &shows)]),
+        Some(Severity::Warning)
+    );
+    let starts = "<include file='$(find arm)/launch/gazebo.launch'/>";
+    let started = [
+        ("arm/launch/real.launch", PLANS),
+        ("arm/launch/sim.launch", starts),
+    ];
+    assert_eq!(of(&started), Some(Severity::Warning));
+    let copied = [
+        ("arm/launch/real.launch", PLANS),
+        ("hall/package.xml", "<package><name>hall</name></package>"),
+        ("hall/launch/gazebo.launch", EXPORTED),
+    ];
+    assert_eq!(of(&copied), Some(Severity::Warning));
+}

@@ -365,6 +365,12 @@ fn is_without_effect(finding: &Finding, purpose: Purpose) -> bool {
         || rule.has(Trait::Contact) && !purpose.is_met
         || rule.has(Trait::Simulation) && !purpose.is_weighed && !purpose.is_met
         || rule.has(Trait::Transmission) && !purpose.is_weighed && !purpose.is_controlled
+        || stands_for_no_limit(finding) && !purpose.is_controlled
+}
+
+/// Whether a finding is about a limit of -1, which SDF reads as none. Controllers take it as it is.
+fn stands_for_no_limit(finding: &Finding) -> bool {
+    finding.rule == named::JOINT_LIMIT_NEGATIVE && finding.severity == Severity::Warning
 }
 
 /// Whether a finding is an error for whoever loads the file at all, whatever it is used for: xacro or a parser stops, or a file is

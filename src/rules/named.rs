@@ -31,6 +31,8 @@ pub const INERTIA_TRIANGLE_INEQUALITY: &Rule = &inertia::inertia_triangle_inequa
 pub const MISSING_JOINT_LIMIT: &Rule = &joint::missing_joint_limit::RULE;
 /// `missing-limit-attribute`
 pub const MISSING_LIMIT_ATTRIBUTE: &Rule = &joint::missing_limit_attribute::RULE;
+/// `joint-limit-negative`
+pub const JOINT_LIMIT_NEGATIVE: &Rule = &joint::joint_limit_negative::RULE;
 /// `missing-robot-name`
 pub const MISSING_ROBOT_NAME: &Rule = &xml::missing_robot_name::RULE;
 /// `invalid-name`

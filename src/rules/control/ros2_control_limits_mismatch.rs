@@ -1,11 +1,13 @@
 //! Command limits beyond the limits of the joint.
 use std::cell::LazyCell;
+use std::f64::consts::TAU;
 
 use super::super::context::DocumentCx;
 use super::super::numbers::{UNLIMITED, rewrite, short};
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::joints::{controlled, is_before_jazzy, range, value_place};
+use model::{AttrValue, Interface, Joint};
 
 pub(super) static RULE: Rule = Rule {
     code: "CTL010",
@@ -21,15 +23,17 @@ pub(super) static RULE: Rule = Rule {
 
 /// Digits that people leave out when they copy a limit.
 const ROUNDING: f64 = 1e-3;
+/// A command range that reaches this far both ways stands for none: a turn, as people round it, or as many meters.
+const ALL_AROUND: f64 = TAU * 0.999;
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     // before Jazzy, ros2_control does not read them
-    let severity = LazyCell::new(|| match is_before_jazzy(cx) {
+    let usual = LazyCell::new(|| match is_before_jazzy(cx) {
         true => Severity::Info,
         false => RULE.severity,
     });
     for (control, joint) in controlled(cx) {
-        let Some((lower, upper)) = range(joint) else {
+        let Some(limits) = range(joint) else {
             continue;
         };
         for command in control
@@ -37,36 +41,57 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             .iter()
             .filter(|command| command.is("position"))
         {
-            for name in ["min", "max"] {
-                let Some((text, value)) = command
-                    .param(name)
-                    .and_then(|text| Some((text, text.number()?)))
-                else {
-                    continue;
-                };
-                let beyond = if name == "min" {
-                    value < lower - ROUNDING
-                } else {
-                    value > upper + ROUNDING
-                };
-                if beyond && value.abs() < UNLIMITED {
-                    let message = format!(
-                        "{name} {} of joint `{}` is outside its limits",
-                        text.value,
-                        joint.shown()
-                    );
-                    let report = out
-                        .report(value_place(cx.expansion, text), message)
-                        .severity(*severity)
-                        .help(format!(
-                            "write a value from {} to {}",
-                            short(lower),
-                            short(upper)
-                        ));
-                    let limit = if name == "min" { lower } else { upper };
-                    rewrite(report, Safety::Unsafe, text, short(limit)).done();
-                }
-            }
+            let severity = match stands_for_none(command) {
+                true => Severity::Info,
+                false => *usual,
+            };
+            check_command(cx, joint, command, (limits, severity), out);
         }
     }
+}
+
+/// Report the bounds of a command interface that are outside the limits of its joint.
+fn check_command(
+    cx: &DocumentCx<'_>,
+    joint: &Joint,
+    command: &Interface,
+    ((lower, upper), severity): ((f64, f64), Severity),
+    out: &mut Sink<'_>,
+) {
+    for (name, limit) in [("min", lower), ("max", upper)] {
+        let Some((text, value)) = bound(command, name) else {
+            continue;
+        };
+        let beyond = if name == "min" {
+            value < lower - ROUNDING
+        } else {
+            value > upper + ROUNDING
+        };
+        if !beyond || value.abs() >= UNLIMITED {
+            continue;
+        }
+        let message = format!(
+            "{name} {} of joint `{}` is outside its limits",
+            text.value,
+            joint.shown()
+        );
+        let (lower, upper) = (short(lower), short(upper));
+        let report = out
+            .report(value_place(cx.expansion, text), message)
+            .severity(severity)
+            .help(format!("write a value from {lower} to {upper}"));
+        rewrite(report, Safety::Unsafe, text, short(limit)).done();
+    }
+}
+
+/// A bound of a command interface that is a number.
+fn bound<'c>(command: &'c Interface, name: &str) -> Option<(&'c AttrValue, f64)> {
+    let text = command.param(name)?;
+    Some((text, text.number()?))
+}
+
+/// Whether both bounds of a command interface are so far that they stand for none.
+fn stands_for_none(command: &Interface) -> bool {
+    let mut bounds = ["min", "max"].map(|name| bound(command, name)).into_iter();
+    bounds.all(|bound| bound.is_some_and(|(_, value)| value.abs() >= ALL_AROUND))
 }

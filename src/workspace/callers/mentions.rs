@@ -50,6 +50,8 @@ pub(super) struct TextMentions {
     pub refuses: bool,
     /// Whether there is a launch file or a program.
     pub runs: bool,
+    /// Whether there is a launch file that no exporter of CAD programs wrote.
+    launches_more: bool,
     /// Whether a launch file or program starts Gazebo Classic.
     pub runs_classic: bool,
     /// Whether a launch file spawns a model of SDF.
@@ -237,6 +239,9 @@ impl TextMentions {
         let may_start =
             !is_description && (name_of(path).contains("launch") || file_names::is_program(path));
         self.runs |= may_start;
+        // the exporter writes it beside the other one
+        let is_exported = words.is_exported() || name_of(path) == "display.launch";
+        self.launches_more |= name_of(path).contains("launch") && !is_exported;
         self.runs_classic |= may_start && words.runs_classic();
         self.spawns_models |= name_of(path).contains("launch") && words.spawns_model();
         self.builds_moveit |= is_run && words.builds_moveit();
@@ -358,10 +363,28 @@ impl TextMentions {
         paths.filter(|path| self.weighs(path))
     }
 
-    /// Whether a launch file is one that an exporter of CAD programs writes beside each description, where the robot has a model for
-    /// another simulator, and nothing starts it.
+    /// Whether a launch file is one that an exporter of CAD programs writes beside each description, and nothing starts it: the robot
+    /// has a model for another simulator, or people wrote launch files of their own.
     fn is_export(&self, path: &Path) -> bool {
-        self.has_own_model && name_of(path) == "gazebo.launch" && self.of(path).next().is_none()
+        let is_exported = || {
+            let is_marked = self.says.get(path).is_some_and(|words| words.is_exported());
+            is_marked && self.names_own_package(path)
+        };
+        let is_passed_over = self.has_own_model || self.launches_more && is_exported();
+        let is_of_its_package = |package: &str| path.iter().any(|folder| folder == package);
+        let mut named = self.with_packages(path);
+        is_passed_over
+            && name_of(path) == "gazebo.launch"
+            && !named.any(|(_, package)| package.is_none_or(is_of_its_package))
+    }
+
+    /// Whether a text holds the name of a package that is also that of a folder around it.
+    fn names_own_package(&self, path: &Path) -> bool {
+        let mut folders = path.iter().filter_map(|folder| folder.to_str());
+        folders.any(|folder| {
+            let named_by = self.packages.get(folder);
+            named_by.is_some_and(|texts| texts.iter().any(|text| text == path))
+        })
     }
 
     /// The texts other than a file itself that hold its name.

@@ -2,40 +2,42 @@
 
 /// What the words of a text say together, as bits.
 #[derive(Clone, Copy, Default, PartialEq, Eq, Hash)]
-pub(super) struct TextWords(u16);
+pub(super) struct TextWords(u32);
 
 /// Something needs masses and inertia: a simulator, or a library for dynamics.
-const MASSES: u16 = 1;
+const MASSES: u32 = 1;
 /// The same, unless there is a model in the format of the simulator.
-const MASSES_UNLESS_OWN: u16 = 1 << 1;
+const MASSES_UNLESS_OWN: u32 = 1 << 1;
 /// Something computes with every triangle of a collision mesh. Bullet, MuJoCo and Isaac take the convex hull of it.
-const TRIANGLES: u16 = 1 << 2;
+const TRIANGLES: u32 = 1 << 2;
 /// Something simulates, plans or controls.
-const SIMULATES: u16 = 1 << 3;
+const SIMULATES: u32 = 1 << 3;
 /// A simulator that refuses a robot with a tensor that no body has: Gazebo Sim, MuJoCo, Drake. Gazebo Classic takes it.
-const REFUSES: u16 = 1 << 4;
+const REFUSES: u32 = 1 << 4;
 /// A model for MuJoCo or Isaac, which they read instead of a description.
-const OWN_MODEL: u16 = 1 << 5;
+const OWN_MODEL: u32 = 1 << 5;
 /// Something starts controllers by their names.
-const STARTS: u16 = 1 << 6;
+const STARTS: u32 = 1 << 6;
 /// Something spawns in Gazebo: a file of SDF, or a description that is a parameter or a topic.
-const SPAWNS: u16 = 1 << 7;
-const SDF: u16 = 1 << 8;
-const DESCRIPTION: u16 = 1 << 12;
+const SPAWNS: u32 = 1 << 7;
+const SDF: u32 = 1 << 8;
+const DESCRIPTION: u32 = 1 << 12;
 /// The one file of SDF that is a model and no world.
-const MODEL: u16 = 1 << 13;
+const MODEL: u32 = 1 << 13;
 /// An element for Gazebo, and a part of it that only Gazebo runs.
-const GAZEBO_TAG: u16 = 1 << 9;
-const GAZEBO_PART: u16 = 1 << 10;
+const GAZEBO_TAG: u32 = 1 << 9;
+const GAZEBO_PART: u32 = 1 << 10;
 /// A program builds the configuration of MoveIt.
-const BUILDS_MOVEIT: u16 = 1 << 11;
+const BUILDS_MOVEIT: u32 = 1 << 11;
 /// Something runs controllers, which read transmissions and hardware.
-const CONTROLS: u16 = 1 << 14;
+const CONTROLS: u32 = 1 << 14;
 /// Something starts Gazebo Classic.
-const CLASSIC: u16 = 1 << 15;
+const CLASSIC: u32 = 1 << 15;
+/// Only the exporter of SolidWorks writes this, into the launch file for Gazebo beside each robot.
+const EXPORTED: u32 = 1 << 16;
 
 /// The words, also as parts of others, and what each of them says.
-const WORDS: [(&str, u16); 58] = [
+const WORDS: [(&str, u32); 59] = [
     ("gazebo", MASSES | TRIANGLES | SIMULATES),
     ("gazebo_ros", CLASSIC),
     ("gzserver", CLASSIC),
@@ -92,6 +94,7 @@ const WORDS: [(&str, u16); 58] = [
     ("load_controller", STARTS),
     ("switch_controller", STARTS),
     ("<gazebo", GAZEBO_TAG),
+    ("fake_joint_calibration", EXPORTED),
     ("<plugin", GAZEBO_PART),
     ("<sensor", GAZEBO_PART),
 ];
@@ -99,7 +102,7 @@ const WORDS: [(&str, u16); 58] = [
 impl TextWords {
     /// The words of a text.
     pub fn of(text: &str) -> Self {
-        Self::among(text, u16::MAX)
+        Self::among(text, u32::MAX)
     }
 
     /// Whether a text runs something that simulates, plans or controls: its other words are not looked for.
@@ -108,8 +111,8 @@ impl TextWords {
     }
 
     /// What the words of a text say of these bits. A word that says nothing new is not looked for.
-    fn among(text: &str, bits: u16) -> Self {
-        let add = |all: u16, &(word, says): &(&str, u16)| {
+    fn among(text: &str, bits: u32) -> Self {
+        let add = |all: u32, &(word, says): &(&str, u32)| {
             if says & bits & !all != 0 && text.contains(word) {
                 all | says & bits
             } else {
@@ -119,7 +122,7 @@ impl TextWords {
         Self(WORDS.iter().fold(0, add))
     }
 
-    const fn has(self, bits: u16) -> bool {
+    const fn has(self, bits: u32) -> bool {
         self.0 & bits == bits
     }
 
@@ -161,6 +164,11 @@ impl TextWords {
     /// Whether a text is a model for MuJoCo, or loads one for Isaac.
     pub const fn is_own_model(self) -> bool {
         self.has(OWN_MODEL)
+    }
+
+    /// Whether a text is the launch file for Gazebo that the exporter of SolidWorks writes.
+    pub const fn is_exported(self) -> bool {
+        self.has(EXPORTED)
     }
 
     /// Whether a text starts controllers by their names.
