@@ -501,3 +501,40 @@ fn launch_files_of_an_exporter_that_nothing_starts() {
     ];
     assert_eq!(of(&copied), Some(Severity::Warning));
 }
+
+#[test]
+fn simulators_that_another_robot_is_started_with() {
+    let of = |starts: &str| {
+        let files = [
+            MANIFEST,
+            ("urdf/arm.urdf", IMPOSSIBLE),
+            (
+                "urdf/cart.urdf",
+                "<robot name='cart'><link name='base'/></robot>",
+            ),
+            (
+                "launch/show.launch",
+                "<param textfile='$(find arm)/urdf/arm.urdf'/>",
+            ),
+            (
+                "launch/cart.launch",
+                "<param textfile='$(find arm)/urdf/cart.urdf'/>",
+            ),
+            (
+                "launch/world.launch",
+                "<include file='$(find gazebo_ros)/launch/empty_world.launch'/>",
+            ),
+            ("launch/all.launch", starts),
+        ];
+        severity("inertia-triangle-inequality", &files)
+    };
+    let starts = |robot: &str| {
+        format!(
+            "<include file='$(find arm)/launch/{robot}.launch'/><include file='$(find arm)/launch/world.launch'/>"
+        )
+    };
+    assert_eq!(of(&starts("cart")), Some(Severity::Info));
+    assert_eq!(of(&starts("show")), Some(Severity::Warning));
+    // nothing says which robot it is for
+    assert_eq!(of("<launch/>"), Some(Severity::Warning));
+}

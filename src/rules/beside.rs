@@ -3,6 +3,7 @@ use std::cell::OnceCell;
 
 use ecow::EcoString;
 
+use super::context::RuleEnv;
 use super::finding::Help;
 use super::grouping::Group;
 use super::names::{JointConnection, OfferedInterface, RobotNames, may_be};
@@ -27,6 +28,8 @@ pub struct BesideCx<'a> {
     pub robots: &'a [PairedRobot<'a>],
     /// All files beside these robots.
     pub all: &'a [BesideContent<'a>],
+    /// What lies around it.
+    pub world: RuleEnv<'a>,
     /// Whether the package of the file is for ROS 2.
     pub(super) is_ros2: bool,
     /// Whether hardware of ROS 1 in the workspace registers joints by itself.
@@ -72,6 +75,7 @@ impl<'a> BesideCx<'a> {
         robots: &'a [PairedRobot<'a>],
         all: &'a [BesideContent<'a>],
         further: &'a dyn Fn() -> RobotNames,
+        world: RuleEnv<'a>,
     ) -> Self {
         let mut names = RobotNames::default();
         robots.iter().for_each(|paired| names.add(paired.robot));
@@ -91,6 +95,7 @@ impl<'a> BesideCx<'a> {
             robots,
             all,
             further,
+            world,
             known: OnceCell::new(),
             names,
             is_ros2: false,

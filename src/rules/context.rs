@@ -12,7 +12,7 @@ use super::xacro::MentionedWords;
 use base::{FastMap, FastSet};
 use expand::{Expansion, FileIdx, Problem, StepKey, XId};
 use facts::{Marks, is_keyword, parts_where};
-use model::{AttrValue, Joint, Kinematics, Link, Meshes, Robot, SharedList, Version};
+use model::{AttrValue, Gazebo, Joint, Kinematics, Link, Meshes, Robot, SharedList, Version};
 use packages::Packages;
 use vfs::{SourceFile, Vfs};
 use workspace::config::Config;
@@ -282,15 +282,19 @@ impl<'a> DocumentCx<'a> {
 
     /// Whether the document is a model that never moves, such as a hall, whose measures are not those of robots.
     pub fn is_static(&self) -> bool {
+        self.is_set_for(None, "static")
+    }
+
+    /// Whether an element for Gazebo about a link, or about the whole robot, sets something to true.
+    pub(super) fn is_set_for(&self, link: Option<&str>, setting: &str) -> bool {
         self.look_beyond();
         let tree = &self.expansion.tree;
         let blocks = self.robot.into_iter().flat_map(|robot| &robot.gazebo);
-        let blocks = blocks
-            .filter(|block| block.reference.is_none())
-            .map(|block| block.element);
+        let is_about = |block: &&Gazebo| block.reference.as_ref().map(|name| &*name.value) == link;
         let mut tags = blocks
-            .flat_map(|block| tree.elements(block))
-            .filter(|&tag| tree.get(tag).text == "static");
+            .filter(is_about)
+            .flat_map(|block| tree.elements(block.element))
+            .filter(|&tag| tree.get(tag).text == setting);
         tags.any(|tag| {
             AttrValue::content(tree, tag)
                 .is_some_and(|text| ["true", "1"].contains(&text.value.trim()))

@@ -219,17 +219,18 @@ impl Session {
         let has_all_groups = srdfs.clone().all(|(srdf, _)| is_whole(&srdf.expansion));
         let has_controllers = matches!(own.content(), BesideContent::Settings(settings) if !settings.controllers.is_empty());
         let is_ros2 = self.packages.generation(&own.path) == Some(RosVersion::Ros2);
+        let settings = self.settings(&own.path);
         let cx = rules::BesideCx::new(
             (own.file, own.content(), expansion),
             &robots,
             &contents,
             &further,
+            self.rule_env(&settings.config),
         )
         .in_ros2(is_ros2)
         .with_own_joints(has_controllers && !is_ros2 && self.packages.registers_joints(&own.path))
         .with_variants(has_variants)
         .with_all_groups(has_all_groups);
-        let settings = self.settings(&own.path);
         let rules: Vec<_> = all()
             .filter(|rule| settings.runs(rule, &own.path))
             .collect();

@@ -1,10 +1,12 @@
 //! A controller of a drive that is told other wheels than the robot has.
 use super::super::beside::BesideCx;
+use super::super::geometry::link_bounds;
 use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::controller_unknown_interface::class_of;
 use super::wheel_sizes::{WheelPair, length};
 use base::Span;
+use model::Link;
 use project::Controller;
 
 pub(in super::super) static RULE: Rule = Rule::beside(
@@ -56,12 +58,12 @@ fn is_tuned(controller: &Controller) -> bool {
     numbers.any(|(key, value, _)| key.ends_with("_multiplier") && *value != 1.0)
 }
 
-/// The wheels of a controller that turns one on each side, in each robot that has them.
+/// The first wheels of a controller on each side, in each robot that has them.
 fn wheels<'a>(cx: &BesideCx<'a>, controller: &Controller) -> Vec<WheelPair<'a>> {
     let named = |key: &str| {
         let mut all = controller.joints.iter().filter(|(own, _)| own == key);
-        let (_, only) = all.next()?;
-        Some(only.name.as_str()).filter(|_| all.next().is_none())
+        let (_, first) = all.next()?;
+        Some(first.name.as_str())
     };
     let joints = JOINTS
         .iter()
@@ -71,6 +73,9 @@ fn wheels<'a>(cx: &BesideCx<'a>, controller: &Controller) -> Vec<WheelPair<'a>> 
     };
     let robots = cx.robots.iter();
     robots
-        .filter_map(|paired| WheelPair::of(paired.robot, paired.kinematics, joints, &|_| None))
+        .filter_map(|paired| {
+            let bounds = |link: &Link| link_bounds(paired.expansion, paired.robot, cx.world, link);
+            WheelPair::of(paired.robot, paired.kinematics, joints, &bounds)
+        })
         .collect()
 }

@@ -8,10 +8,10 @@ use super::super::grouping::Group;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use base::FastSet;
-use expand::SymbolKind;
+use expand::{SymbolKind, XId};
 use facts::{Fact, FactKind, facts};
 use memchr::memmem::Finder;
-use model::Gazebo;
+use model::{AttrValue, Gazebo};
 use packages::nearest;
 use xml::{Node, NodeKind};
 
@@ -175,10 +175,21 @@ fn has_own(cx: &RobotCx<'_>, name: &str) -> bool {
     named.any(|text| text.value == name)
 }
 
-/// Whether an element gives a color or keeps a fixed joint, and nothing else: without it, nothing behaves differently.
+/// Whether an element gives a color or keeps a fixed joint or the gravity, and nothing else: without it, nothing behaves
+/// differently.
 fn changes_nothing(cx: &RobotCx<'_>, block: &Gazebo) -> bool {
     const IDLE: [&str; 3] = ["disableFixedJointLumping", "material", "preserveFixedJoint"];
     let tree = &cx.expansion.tree;
-    tree.elements(block.element)
-        .all(|child| IDLE.contains(&tree.get(child).text.as_str()))
+    let keeps_gravity = |child: XId, name: &str| {
+        let usual = match name {
+            "gravity" => ["true", "1"],
+            "turnGravityOff" => ["false", "0"],
+            _ => return false,
+        };
+        AttrValue::content(tree, child).is_some_and(|text| usual.contains(&text.value.trim()))
+    };
+    tree.elements(block.element).all(|child| {
+        let name = tree.get(child).text.as_str();
+        IDLE.contains(&name) || keeps_gravity(child, name)
+    })
 }

@@ -20,10 +20,14 @@ pub(in super::super) static RULE: Rule = Rule {
     check: Check::Whole(check),
 };
 
-/// Parts of the file names of plugins that drive two wheels.
-const DRIVES: [&str; 2] = ["diff_drive", "diff-drive"];
+/// Parts of the file names of plugins that drive wheels on two sides.
+const DRIVES: [&str; 3] = ["diff_drive", "diff-drive", "skid_steer"];
 /// The tags of the joints that they turn, left and right.
-const JOINTS: [[&str; 2]; 2] = [["left_joint", "right_joint"], ["leftJoint", "rightJoint"]];
+const JOINTS: [[&str; 2]; 3] = [
+    ["left_joint", "right_joint"],
+    ["leftJoint", "rightJoint"],
+    ["leftFrontJoint", "rightFrontJoint"],
+];
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let tree = &cx.expansion.tree;
@@ -33,10 +37,17 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         let Some(pair) = file.filter(is_drive).and_then(|_| wheels(cx, tree, plugin)) else {
             continue;
         };
+        let mut seen: Vec<&str> = Vec::new();
         for parameter in tree.elements(plugin) {
             let name = tree.get(parameter).text.as_str();
-            let value = DriveLength::of(name).and_then(|_| AttrValue::content(tree, parameter));
-            let Some(value) = value else { continue };
+            // further ones are about further pairs
+            if DriveLength::of(name).is_none() || seen.contains(&name) {
+                continue;
+            }
+            seen.push(name);
+            let Some(value) = AttrValue::content(tree, parameter) else {
+                continue;
+            };
             let mismatch = value.number().and_then(|said| pair.mismatch(name, said));
             if let Some((message, real)) = mismatch {
                 out.report(value.origin, message)
@@ -47,14 +58,12 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     }
 }
 
-/// The wheels of a plugin that turns one on each side.
+/// The first wheels of a plugin on each side.
 fn wheels<'a>(cx: &RobotCx<'a>, tree: &XTree, plugin: XId) -> Option<WheelPair<'a>> {
     let named = |tag: &str| {
-        let mut all = tree
-            .elements(plugin)
-            .filter(|&child| tree.get(child).text == tag);
-        let only = all.next()?;
-        AttrValue::content(tree, only).filter(|_| all.next().is_none())
+        let mut all = tree.elements(plugin);
+        let first = all.find(|&child| tree.get(child).text == tag)?;
+        AttrValue::content(tree, first)
     };
     JOINTS.iter().find_map(|[left, right]| {
         let (left, right) = (named(left)?, named(right)?);

@@ -32,16 +32,42 @@ fn is_there(tree: &XTree, plugin: XId, new: &str) -> bool {
     }
 }
 
+/// Whether a parameter has the value that holds without it, in a namespace or in none.
+fn is_default((name, new): (&str, &str), value: &str, has_namespace: bool) -> bool {
+    let is_topic =
+        |topic: &str| value == topic || !has_namespace && value.strip_prefix('/') == Some(topic);
+    match name {
+        "commandTopic" => is_topic("cmd_vel"),
+        "odometryTopic" => is_topic("odom"),
+        _ => new == NAMESPACE && ["", "/"].contains(&value),
+    }
+}
+
+/// Whether a plugin is put into a namespace.
+fn has_namespace(tree: &XTree, plugin: XId) -> bool {
+    let mut ros = tree
+        .elements(plugin)
+        .filter(|&id| tree.get(id).text == "ros");
+    ros.any(|ros| {
+        let mut named = tree
+            .elements(ros)
+            .filter(|&id| tree.get(id).text == "namespace");
+        named.any(|id| {
+            AttrValue::content(tree, id).is_some_and(|name| !["", "/"].contains(&name.value.trim()))
+        })
+    })
+}
+
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let tree = &cx.expansion.tree;
     for (plugin, library) in plugins_for_ros2(cx) {
+        let is_named = has_namespace(tree, plugin);
         let old = tree.elements(plugin).filter_map(|parameter| {
             let name = &tree.get(parameter).text;
             let new = renamed(&library.value, name)?;
             let value = AttrValue::content(tree, parameter);
-            // the namespace that it has without
-            let is_default = new == NAMESPACE
-                && value.is_none_or(|value| ["", "/"].contains(&value.value.trim()));
+            let value = value.as_ref().map_or("", |value| value.value.trim());
+            let is_default = is_default((name, new), value, is_named);
             (!is_default && !is_there(tree, plugin, new)).then_some((parameter, name, new))
         });
         let mut old = old.peekable();

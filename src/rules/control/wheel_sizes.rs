@@ -1,11 +1,13 @@
 //! The wheels of a drive as the robot has them, beside what a plugin or controller is told.
 use super::super::numbers::short;
-use nalgebra::Point3;
+use nalgebra::{Point3, Vector3};
 
 use model::{Body, Bounds, Joint, JointType, Kinematics, Link, Robot, ShapeKind, transform};
 
 /// By which factor two lengths differ at least, so that none of them is a rounded or tuned value of the other.
 const MISMATCH: f64 = 1.3;
+/// The same of a separation that is too small: wheels that slip make it larger.
+const TOO_CLOSE: f64 = 1.15;
 /// By which factor the wheels of one size differ at most.
 const SAME_SIZE: f64 = 1.1;
 
@@ -31,6 +33,8 @@ struct Wheel<'a> {
     radius: f64,
     /// Its center in the frame of the root link, with all joints at zero, in meters.
     center: Point3<f64>,
+    /// The axis that it turns about, in the same frame, of length one.
+    axle: Vector3<f64>,
 }
 
 /// A length that a drive is told.
@@ -95,10 +99,11 @@ impl<'a> WheelPair<'a> {
         let (left, right) = (&self.left, &self.right);
         let radius = left.radius;
         let is_one_size = factor(radius, right.radius) < SAME_SIZE;
-        let (real, what) = match DriveLength::of(parameter)? {
-            DriveLength::Separation if self.is_skidding => return None,
+        let kind = DriveLength::of(parameter)?;
+        let (real, what) = match kind {
             DriveLength::Separation => {
-                let distance = nalgebra::distance(&left.center, &right.center);
+                // the first wheels of each side need not be a pair
+                let distance = (left.center - right.center).dot(&left.axle).abs();
                 let names = [left, right].map(|wheel| wheel.link.shown());
                 let apart = format!(
                     "wheels `{}` and `{}` are {} m apart",
@@ -112,7 +117,12 @@ impl<'a> WheelPair<'a> {
             DriveLength::Radius => (radius, self.radius_of_left()),
             DriveLength::Diameter => (2.0 * radius, self.radius_of_left()),
         };
-        let differs = said > 0.0 && real > 0.0 && factor(said, real) > MISMATCH;
+        let (least, most) = match kind {
+            DriveLength::Separation if self.is_skidding => (TOO_CLOSE, f64::INFINITY),
+            DriveLength::Separation => (TOO_CLOSE, MISMATCH),
+            _ => (MISMATCH, MISMATCH),
+        };
+        let differs = said > 0.0 && real > 0.0 && (said * least < real || said > real * most);
         let message = || format!("`{parameter}` is {} m, but {what}", length(said));
         differs.then(|| (message(), real))
     }
@@ -142,14 +152,17 @@ impl<'a> Wheel<'a> {
             Some((Point3::from(center), round(body)?))
         });
         let (middle, radius) = shaped.or_else(|| rolling(joint, bounds(link)?))?;
-        let mut center = middle;
+        let (mut center, axis) = (middle, Vector3::from(joint.axis()?));
+        let mut axle = axis.try_normalize(f64::EPSILON)?;
         for above in kinematics.ancestor_joints(child) {
-            center = transform(robot.joints.get(above)?.origin.as_ref())? * center;
+            let frame = transform(robot.joints.get(above)?.origin.as_ref())?;
+            (center, axle) = (frame * center, frame * axle);
         }
         Some(Self {
             link,
             radius,
             center,
+            axle,
         })
     }
 }

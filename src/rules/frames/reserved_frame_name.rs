@@ -3,7 +3,7 @@ use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::names::prefix_of;
-use model::Link;
+use model::{JointType, Link};
 
 pub(super) static RULE: Rule = Rule {
     code: "FRM005",
@@ -20,7 +20,7 @@ pub(super) static RULE: Rule = Rule {
 /// The frames of REP-105 that no robot has among its links.
 const RESERVED: [&str; 3] = ["map", "odom", "earth"];
 
-fn check(_: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
+fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
     let Some((text, name)) = link
         .name
         .as_ref()
@@ -33,9 +33,19 @@ fn check(_: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
             text.origin,
             format!("link `{name}` has the name of a frame that localization publishes"),
         )
+        .severity(match is_set_free(cx, name) {
+            true => Severity::Info,
+            false => RULE.severity,
+        })
         .help(format!(
             "remove or rename the link (`world` is allowed); `{word}` is not part of the robot"
         ))
         .done();
     }
+}
+
+/// Whether only joints that leave it free hang on a link: robot_state_publisher publishes none of them.
+fn is_set_free(cx: &DocumentCx<'_>, link: &str) -> bool {
+    let mut below = cx.joints_below(link).peekable();
+    below.peek().is_some() && below.all(|joint| joint.is(&[JointType::Floating]))
 }

@@ -30,7 +30,10 @@ fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
         let message = format!("link `{}` has a mass but zero inertia", link.shown());
         // what is joined to a heavier body, or never turns, needs no inertia of its own
         let is_frame = !link.has_geometry() && inertial.mass().is_some_and(|mass| mass <= LIGHT);
-        let without_effect = is_frame || is_joined(cx, link) || is_in_world(cx, link);
+        // a kinematic link goes where it is put
+        let is_placed = || cx.is_set_for(Some(link.shown()), "kinematic");
+        let without_effect =
+            is_frame || is_joined(cx, link) || is_in_world(cx, link) || is_placed();
         let severity = if without_effect {
             Severity::Info
         } else {

@@ -5,7 +5,7 @@ use super::super::sink::Sink;
 use super::source::{self, Inclusion};
 use base::{FastMap, FastSet, TextRange};
 use expand::{FileIdx, FileRange, FrameId, XId};
-use xml::NodeKind;
+use xml::{Node, NodeKind};
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "XAC010",
@@ -48,12 +48,16 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         }
         let one_file = first.tag.file == later.tag.file && first.within == later.within;
         let emits = emitting.contains(&later.frame);
-        let parametrised = emits && (!one_file || is_redefined_between(cx, first, later));
+        let parametrised = emits && (!one_file || between(cx, first, later).any(is_property));
         // of many files that need one library, one pair says it all
         if parametrised || !one_file && !reported.insert(later.target) {
             continue;
         }
-        report(cx, first, later, one_file, emits, out);
+        // an include in front of each use is a habit that changes nothing; in one list, it is a slip
+        let between = || between(cx, first, later);
+        let is_habit = !emits && between().any(|node| node.name() != "xacro:include");
+        let is_repeated = !one_file || is_habit && !between().any(is_property);
+        report(cx, first, later, (one_file, emits, is_repeated), out);
     }
 }
 
@@ -84,31 +88,45 @@ fn emitting(cx: &DocumentCx<'_>) -> FastSet<FrameId> {
     frames
 }
 
-/// Whether a property is set between two tags of one file: the second include may then mean something else.
-fn is_redefined_between(cx: &DocumentCx<'_>, first: &Inclusion<'_>, later: &Inclusion<'_>) -> bool {
-    let Some(file) = cx.expansion.files.get(later.tag.file) else {
-        return false;
-    };
+/// The elements between two tags of one file.
+fn between<'a>(
+    cx: &DocumentCx<'a>,
+    first: &Inclusion<'_>,
+    later: &Inclusion<'_>,
+) -> impl Iterator<Item = Node<'a>> {
+    let file = cx.expansion.files.get(later.tag.file);
     let between = TextRange::new(
         first.tag.range.end,
         later.tag.range.start.max(first.tag.range.end),
     );
-    let parts = file.source.document.parts();
-    let mut nodes = parts.flat_map(|(base, item)| item.all_nodes().map(move |node| (base, node)));
-    nodes.any(|(base, node)| {
-        let is_property = node.kind() == NodeKind::Element && node.name() == "xacro:property";
-        is_property && between.contains_range(node.name_range().shift(base))
-    })
+    let parts = file
+        .into_iter()
+        .flat_map(|file| file.source.document.parts());
+    let nodes = parts.flat_map(|(base, item)| item.all_nodes().map(move |node| (base, node)));
+    nodes
+        .filter(move |(base, node)| {
+            node.kind() == NodeKind::Element
+                && between.contains_range(node.name_range().shift(*base))
+        })
+        .map(|(_, node)| node)
+}
+
+/// Whether an element sets a property: the second include may then mean something else.
+fn is_property(node: Node<'_>) -> bool {
+    node.name() == "xacro:property"
 }
 
 fn report(
     cx: &DocumentCx<'_>,
     first: &Inclusion<'_>,
     later: &Inclusion<'_>,
-    one_file: bool,
-    emits: bool,
+    (one_file, emits, is_repeated): (bool, bool, bool),
     out: &mut Sink<'_>,
 ) {
+    let severity = match is_repeated {
+        true => Severity::Info,
+        false => RULE.severity,
+    };
     let name = source::file_name(cx.expansion, later.target);
     let report = out
         .report_in(
@@ -116,10 +134,10 @@ fn report(
             later.tag.range,
             format!("duplicate include of `{name}`"),
         )
-        .also_at(first.tag, "first included here");
+        .also_at(first.tag, "first included here")
+        .severity(severity);
     if !one_file {
         return report
-            .severity(Severity::Info)
             .help("remove one include if nothing is redefined between them; the definitions are repeated")
             .done();
     }

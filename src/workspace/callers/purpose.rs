@@ -180,8 +180,48 @@ impl Callers {
                     .containing(path)
                     .is_some_and(|package| folders.contains(&package.folder))
                     && !names_one(path)
+                    && !self.is_started_with_another(path, file, (&uses, mentions))
             })
             .collect()
+    }
+
+    /// Whether the launch files that start another one load descriptions beside it, and `file` is none of them.
+    fn is_started_with_another(
+        &self,
+        launch: &Path,
+        file: &Path,
+        (uses, mentions): (&Uses, &TextMentions),
+    ) -> bool {
+        let starters = self.starters_of(launch, mentions);
+        let starts_with = |caller: &Caller| {
+            let own = self.starters_of(&caller.path, mentions);
+            own.iter().any(|path| starters.contains(path))
+        };
+        let is_beside = |caller: &&Caller| caller.is_launch() && starts_with(caller);
+        let mut beside = uses.callers.iter().filter(is_beside).peekable();
+        let names_it = |caller: &Caller| uses.names(caller, file, &self.packages, false);
+        let names_another = |caller: &Caller| uses.has_another(caller, file, &self.packages);
+        let mut is_another = false;
+        beside.all(|caller| {
+            is_another |= names_another(caller);
+            !names_it(caller)
+        }) && is_another
+    }
+
+    /// A launch file with those that include it, and those that include these.
+    fn starters_of(&self, launch: &Path, mentions: &TextMentions) -> FastSet<PathBuf> {
+        let mut open = vec![launch.to_owned()];
+        let mut seen: FastSet<PathBuf> = FastSet::default();
+        while let Some(path) = open.pop() {
+            if !seen.insert(path.clone()) {
+                continue;
+            }
+            let by = mentions
+                .of(&path)
+                .filter(|by| file_names::is_launch(by) && may_mean(by, &path, &self.packages));
+            open.extend(by.map(Path::to_owned));
+        }
+        seen
     }
 
     /// Whether launch files and programs simulate what lies around a file, none of them with a simulator that refuses a tensor that no

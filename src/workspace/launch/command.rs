@@ -172,7 +172,8 @@ pub(super) fn is_xacro(word: &CommandWord) -> bool {
     is_xacro_program(&word.shown())
 }
 
-fn is_xacro_program(program: &str) -> bool {
+/// Whether a program is xacro.
+pub(super) fn is_xacro_program(program: &str) -> bool {
     matches!(base_name(program), "xacro" | "xacro.py")
 }
 

@@ -58,6 +58,11 @@ fn xml() {
             vec![],
         ),
         (
+            "a node that runs xacro",
+            launch("<node pkg='xacro' type='xacro' args='$(find r)/a.urdf.xacro -o a.urdf'/>"),
+            vec![],
+        ),
+        (
             "other files",
             launch(
                 "<param name='d' textfile='$(find r)/a.txt'/><node args='-d $(find r)/a.rviz -file'/>",

@@ -6,6 +6,7 @@ use base::TextRange;
 use base::limits::{LAUNCH_DEPTH, MANIFEST_NODES};
 use roxmltree::{Document, Node, ParsingOptions};
 
+use super::command::is_xacro_program;
 use super::element;
 use super::text::Text;
 use super::{
@@ -95,7 +96,7 @@ impl LaunchXmlReader {
                     let assumed = self.assumed.clone();
                     let command = LaunchCommand::at(range, CommandForm::Line(words), assumed);
                     command.add_to(&mut self.file.transforms);
-                } else {
+                } else if program.is_none_or(|program| !is_xacro_program(program)) {
                     self.load(range, CommandForm::Line(words));
                 }
             } else if attribute.value().contains("$(command") {
