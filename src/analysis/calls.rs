@@ -235,6 +235,9 @@ mod tests {
     fn the_name_of_a_robot_may_be_an_argument() {
         let robot = "<robot name='$(arg name)' xmlns:xacro='x'><xacro:arg name='name' default='r'/><link name='b'/></robot>";
         check_called(robot, &[], &["warning use-before-definition"]);
+        // in a package, others may give it
+        let manifest = ("package.xml", "<package><name>p</name></package>");
+        check_called(robot, &[manifest], &["info use-before-definition"]);
         check_called(robot, &[("README.md", "xacro r.urdf.xacro name:=arm")], &[]);
     }
 

@@ -61,4 +61,6 @@ pub(super) struct LaunchCallSites {
     pub calls: Vec<Span>,
     /// How many calls of the robot are checked.
     pub of: usize,
+    /// Whether nothing loads the robot but the calls that are checked, and none of them as it is without arguments.
+    pub are_all: bool,
 }

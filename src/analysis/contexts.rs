@@ -203,6 +203,22 @@ impl Contexts {
         self.call_counts(runs).is_some_and(|(own, all)| own < all)
     }
 
+    /// Whether these runs are of robots as they are without arguments, and nothing loads them so.
+    pub(super) fn is_in_no_call(&self, runs: &[usize]) -> bool {
+        let is_called_otherwise = |run: &ContextRun| {
+            let is_of_it = |other: &&ContextRun| other.file == run.file;
+            let mut calls = self
+                .runs
+                .iter()
+                .filter(is_of_it)
+                .filter_map(|other| other.called.as_ref());
+            let is_plain = run.called.is_none() && !run.is_as_called && run.args.is_empty();
+            is_plain && calls.next().is_some_and(|called| called.are_all)
+        };
+        runs.iter()
+            .all(|&number| self.runs.get(number).is_some_and(is_called_otherwise))
+    }
+
     /// What the message of a finding ends with that these runs have, when all of them are made for calls in launch files:
     /// ` [in 2 of 5 calls]`
     pub(super) fn calls(&self, runs: &[usize]) -> Option<String> {

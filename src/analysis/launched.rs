@@ -143,6 +143,9 @@ impl Session {
             .launched(&result.task.file, &result.arguments)
             .into_iter()
             .partition(is_other);
+        let are_all = others.len() <= CALL_RUNS
+            && defaults.is_empty()
+            && self.is_loaded_by_known_calls(&result.task.file);
         others.truncate(CALL_RUNS);
         let of = others
             .iter()
@@ -155,10 +158,22 @@ impl Session {
             called: Some(LaunchCallSites {
                 calls: launched.calls,
                 of,
+                are_all,
             }),
             ..result.task.clone()
         };
         others.into_iter().map(task).collect()
+    }
+
+    /// Whether launch files and programs load a robot only by calls of which all arguments are known.
+    fn is_loaded_by_known_calls(&self, robot: &Path) -> bool {
+        let all = self.robot_calls(robot);
+        let mut own = all
+            .iter()
+            .filter(|call| call.target.as_deref() == Some(robot));
+        let calls = |path: &Path| all.iter().any(|call| call.call.caller == path);
+        own.all(|call| self.known_args(call).is_some())
+            && !self.callers.load_where(robot, |path| !calls(path))
     }
 
     /// Take the errors about arguments that a call does not give out of the robots: they belong to the launch files. A robot
@@ -310,6 +325,18 @@ mod tests {
             .collect();
         assert_eq!(found, expected, "{script}");
         assert_eq!(report.robots, 1);
+    }
+
+    #[test]
+    fn what_no_call_has_is_a_note() {
+        let robot = ROBOT.replace("default='left'", "default='right'");
+        let unknown = "joint `j` has unknown type `fix`";
+        check_script(&robot, "xacro r.xacro side:=left\n", &[], &[]);
+        // one of the calls gives nothing, or nobody knows what it gives
+        let plain = "xacro r.xacro side:=left\nxacro r.xacro\n";
+        check_script(&robot, plain, &[], &[unknown]);
+        let open = "xacro r.xacro side:=left\nxacro r.xacro $ARGS\n";
+        check_script(&robot, open, &[], &[unknown]);
     }
 
     #[test]

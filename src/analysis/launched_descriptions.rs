@@ -20,8 +20,16 @@ impl LaunchedDescriptions<'_> {
             let target = load.target.as_ref();
             target.is_some_and(|path| self.0.packages.may_be_made(path))
         };
+        // by the program itself, or by another one that has the name
         let caller = &group.first()?.call.caller;
-        let is_made = group.iter().any(may_appear) || self.writes_descriptions(caller);
+        let writes = |load: &RobotCall| {
+            let writes = |by: &Path| self.writes_descriptions(by);
+            let target = load.target.as_ref();
+            target.is_some_and(|path| self.0.callers.name_where(path, writes))
+        };
+        let is_made = group.iter().any(may_appear)
+            || self.writes_descriptions(caller)
+            || group.iter().any(writes);
         (!is_made).then_some(missing)
     }
 

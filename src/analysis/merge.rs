@@ -111,6 +111,9 @@ impl Merged {
             };
             self.finding.severity = self.finding.severity.min(most);
         }
+        if contexts.is_in_no_call(&self.results) {
+            self.finding.severity = self.finding.severity.min(Severity::Info);
+        }
         let has = |number: &usize| self.results.contains(number);
         if self.finding.rule.has(Trait::Unnecessary)
             && !contexts

@@ -2,6 +2,7 @@
 //!
 //! Much of what is wrong in a file by itself is right in the file that includes it: names that are defined there, links
 //! that are added there. So such findings are judged by the role of the file.
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -180,6 +181,10 @@ impl Session {
             let source = self.vfs.document(&self.vfs.path(finding.span.file));
             source.map(|source| source.document.slice(finding.span.range))
         };
+        let is_undefined_arg = finding.problem == Some(ProblemKind::UndefinedArg);
+        if is_undefined_arg && name().is_ok_and(|name| self.is_key_beside(&task.file, &name)) {
+            return true;
+        }
         let is_open = match (&finding.outside, finding.problem) {
             (Some(Outside::Argument(_)), Some(ProblemKind::UndefinedArg)) => {
                 self.packages.containing(&task.file).is_some()
@@ -205,6 +210,24 @@ impl Session {
                             && name().is_ok_and(|name| self.is_defined_above(&task.file, &name))
                 }
             }
+    }
+
+    /// Whether a YAML file of its package has a key of that name, which is no common word: a program may read it for xacro.
+    fn is_key_beside(&self, file: &Path, name: &str) -> bool {
+        let package = self.packages.containing(file);
+        let Some(package) = package.filter(|_| name.contains('_')) else {
+            return false;
+        };
+        let is_key = |line: &str| {
+            let value = line.trim_start().strip_prefix(name);
+            value.is_some_and(|value| value.trim_start().starts_with(':'))
+        };
+        let around = self.callers.beside(file);
+        let mut own = around.iter().filter(|path| {
+            let ending = path.extension().and_then(OsStr::to_str);
+            path.starts_with(&package.folder) && matches!(ending, Some("yaml" | "yml"))
+        });
+        own.any(|path| self.packages.is_text(path, |text| text.lines().any(is_key)))
     }
 
     /// Whether a launch file expands a file by itself.

@@ -94,6 +94,7 @@ impl Session {
         // Bullet computes inertia from the shapes unless it is told otherwise
         let about_bullet = |finding: &Finding| {
             let is_taken = is_before_declaration(finding)
+                || has_dashes(finding)
                 || finding.rule.has(Trait::AcceptedByBullet)
                 || finding.rule == named::MESH_NOT_FOUND && self.is_above(&task.file, finding);
             is_taken || finding.rule.category == Category::Inertia
@@ -404,6 +405,11 @@ fn is_before_declaration(finding: &Finding) -> bool {
     let removes_start = |edit: &Edit| edit.span.range.start == 0 && edit.content.is_empty();
     let mut edits = finding.fix.iter().flat_map(|fix| &fix.edits);
     finding.rule == named::XML_SYNTAX_ERROR && edits.any(removes_start)
+}
+
+/// Whether a finding is about two dashes in a comment, which Bullet reads up to its end.
+fn has_dashes(finding: &Finding) -> bool {
+    finding.rule == named::XML_SYNTAX_ERROR && finding.message.starts_with("`--` is not allowed")
 }
 
 fn lower(findings: &mut [Finding]) {

@@ -8,6 +8,7 @@ use super::session::Session;
 use super::set_aside::generated_from;
 use expand::{Expansion, ProblemKind, XTree};
 use model::Robot;
+use packages::workspace_of;
 use rules::{Category, Finding, Rule, Severity, Trait, named};
 use vfs::without_parents;
 use workspace::{Purpose, RobotCall, is_ignored_by_git, is_page};
@@ -49,6 +50,11 @@ impl Session {
             let is_run = simulators.any(|name| self.callers.quote(file, name));
             (!is_run).then_some(Severity::Info)
         });
+        let is_contained = |finding: &Finding| {
+            let rules = [named::PLUGIN_FILE_NOT_FOUND, named::ABSOLUTE_MESH_PATH];
+            rules.contains(&finding.rule) && self.is_in_container(file, finding)
+        };
+        self.lower_where(findings, is_contained, info);
         // Gazebo takes paths as they are, and colors from elements of its own
         let is_for_viewers = |finding: &Finding| {
             finding.rule == named::MESH_PATH_WITHOUT_SCHEME
@@ -74,11 +80,13 @@ impl Session {
                 && missing_file(finding).is_some_and(|path| path.starts_with("/opt/ros/"))
         };
         self.lower_where(findings, is_of_system, info);
+        // others may load what nothing here loads, and give it
+        let is_for_others = || self.packages.containing(file).is_some() && !self.callers.load(file);
         let is_given = |finding: &Finding| {
             let name = finding.message.split('`').nth(1).unwrap_or_default();
             finding.problem == Some(ProblemKind::UseBeforeDefinition)
                 && finding.message.starts_with("argument")
-                && self.callers.always_give(file, name)
+                && (self.callers.always_give(file, name) || is_for_others())
         };
         self.lower_where(findings, is_given, info);
         let is_unread = |finding: &Finding| {
@@ -133,9 +141,7 @@ impl Session {
             let is_idle = |finding: &Finding| {
                 finding.rule.has(Trait::Transmission) && is_without_effect(finding, purpose)
             };
-            self.lower_where(findings, is_idle, || {
-                purpose.is_loaded.then_some(Severity::Warning)
-            });
+            self.lower_where(findings, is_idle, || is_used.then_some(Severity::Warning));
             // a mesh that is slow to collide with is right all the same
             let is_slow = |finding: &Finding| {
                 finding.rule.has(Trait::Contact) && is_without_effect(finding, purpose)
@@ -306,6 +312,20 @@ impl Session {
             .iter()
             .filter(is_run)
             .any(has_it)
+    }
+
+    /// Whether a finding is about a path into the workspace of a container: one that is described beside the sources, or that what
+    /// loads the file has as well.
+    fn is_in_container(&self, file: &Path, finding: &Finding) -> bool {
+        let Ok(source) = self.vfs.document(&self.vfs.path(finding.span.file)) else {
+            return false;
+        };
+        let path = source.document.slice(finding.span.range);
+        let is_loaded_there = || {
+            finding.rule == named::PLUGIN_FILE_NOT_FOUND
+                && workspace_of(&path).is_some_and(|folder| self.callers.quote(file, folder))
+        };
+        self.packages.is_in_container(file, &path) || is_loaded_there()
     }
 
     /// Whether an expression reads a file that is missing here and that `.gitignore` leaves out: a program makes it.

@@ -441,3 +441,44 @@ fn wheels_that_are_meshes() {
     assert_eq!(of(&mesh([0.1, 0.02, 0.15]), "0.1"), None);
     assert_eq!(of(&mesh([0.1, 0.4, 0.1]), "0.1"), None);
 }
+
+#[test]
+fn paths_into_the_workspace_of_a_container() {
+    let robot = "<robot name='r'><link name='base'><visual><geometry>\
+        <mesh filename='file:///root/ws/src/arm/a.stl'/></geometry></visual></link></robot>";
+    let of = |others: &[(&str, &str)]| {
+        let own = [
+            ("package.xml", "<package><name>arm</name></package>"),
+            ("urdf/arm.urdf", robot),
+        ];
+        severity("absolute-mesh-path", &[&own, others].concat())
+    };
+    assert_eq!(of(&[]), Some(Severity::Warning));
+    assert_eq!(
+        of(&[("Dockerfile", "WORKDIR /root/ws\n")]),
+        Some(Severity::Info)
+    );
+    assert_eq!(
+        of(&[("Dockerfile", "WORKDIR /root\n")]),
+        Some(Severity::Warning)
+    );
+}
+
+#[test]
+fn arguments_that_are_keys_of_yaml() {
+    let robot = "<robot name='r' xmlns:xacro='x'><link name='base'/><xacro:if value='$(arg with_lidar)'/></robot>";
+    let of = |yaml: &str| {
+        let files = [
+            ("package.xml", "<package><name>arm</name></package>"),
+            ("urdf/arm.xacro", robot),
+            (
+                "launch/arm.launch",
+                "<param command='$(find arm)/load $(find arm)/urdf/arm.xacro'/>",
+            ),
+            ("config/arm.yaml", yaml),
+        ];
+        severity("undefined-arg", &files)
+    };
+    assert_eq!(of("load_arm:\n  with_lidar: false\n"), Some(Severity::Info));
+    assert_eq!(of("load_arm:\n  lidar: false\n"), Some(Severity::Error));
+}

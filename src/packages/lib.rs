@@ -1,6 +1,7 @@
 //! What a file can name: the packages around it and those that are installed, and what lies in them.
 
 mod cache;
+mod container;
 mod distribution;
 mod hardware;
 mod install;
@@ -22,6 +23,7 @@ mod uri;
 mod tests;
 
 pub use cache::AnswerCache;
+pub use container::workspace_of;
 pub use install::{BUILD_FILES, Build, Built};
 pub use manifest::MANIFEST;
 pub use package_sources::PackageSource;

@@ -77,6 +77,8 @@ pub const UNKNOWN_LAUNCH_ARGUMENT: &Rule = &package::unknown_launch_argument::RU
 pub const MISSING_DOLLAR: &Rule = &xacro::missing_dollar::RULE;
 /// `invalid-number`
 pub const INVALID_NUMBER: &Rule = &xml::invalid_number::RULE;
+/// `absolute-mesh-path`
+pub const ABSOLUTE_MESH_PATH: &Rule = &geometry::absolute_mesh_path::RULE;
 /// `plugin-file-not-found`
 pub const PLUGIN_FILE_NOT_FOUND: &Rule = &control::plugin_file_not_found::RULE;
 /// `mesh-path-without-scheme`

@@ -22,7 +22,7 @@ pub enum Trait {
     GazeboClassic,
     /// About transmissions, which only controllers read, and simulators that run some.
     Transmission,
-    /// urdfdom rejects it, and Bullet accepts it. Source: `UrdfParser.cpp` of Bullet 3.25, and loading with PyBullet.
+    /// urdfdom rejects it, and Bullet accepts or ignores it. Source: `UrdfParser.cpp` of Bullet 3.25, and loading with PyBullet.
     AcceptedByBullet,
     /// urdfdom rejects it, and RaiSim accepts it: vectors with commas, joints without limits, spherical joints, a material twice.
     /// Source: `RaiSimTinyXmlWrapper.hpp` and `loaders.hpp` of RaiSim, and its documentation of joints.
@@ -98,10 +98,12 @@ static WRONG_SIGN: [&Rule; 2] = [
     &inertia::negative_mass::RULE,
 ];
 
-static ACCEPTED_BY_BULLET: [&Rule; 10] = [
+static ACCEPTED_BY_BULLET: [&Rule; 12] = [
     &geometry::duplicate_material::RULE,
     &xml::invalid_number::RULE,
     &xml::missing_attribute::RULE,
+    &joint::mimic_fixed_joint::RULE,
+    &joint::mimic_range_exceeds_limits::RULE,
     &joint::missing_limit_attribute::RULE,
     &xml::missing_robot_name::RULE,
     &geometry::undefined_material::RULE,

@@ -5,7 +5,7 @@ use super::super::sink::Sink;
 use super::resources::MeshUse;
 use super::shapes::is_replaceable;
 
-pub(super) static RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "GEO019",
     name: "absolute-mesh-path",
     category: Category::Geometry,

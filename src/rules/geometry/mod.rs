@@ -1,6 +1,6 @@
 //! Geometry, meshes and materials.
 
-mod absolute_mesh_path;
+pub(super) mod absolute_mesh_path;
 pub(super) mod ascii_stl;
 pub(super) mod binary_stl_solid_header;
 mod bodies;

@@ -5,7 +5,7 @@ use super::super::sink::Sink;
 use super::mimics::mimicking;
 use model::JointType;
 
-pub(super) static RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "JNT023",
     name: "mimic-fixed-joint",
     category: Category::Joint,

@@ -14,7 +14,7 @@ mod joint_velocity_degrees;
 mod limit_on_continuous;
 mod mimic_chain;
 pub(super) mod mimic_cycle;
-mod mimic_fixed_joint;
+pub(super) mod mimic_fixed_joint;
 pub(super) mod mimic_range_exceeds_limits;
 mod mimic_unknown_joint;
 mod mimics;

@@ -45,6 +45,8 @@ pub(super) struct Manifest {
     file: FileId,
     /// Packages that come along at run time.
     pub runtime: Vec<String>,
+    /// What comments hold: dependencies that were taken out on purpose, among others.
+    comments: Vec<String>,
     /// The tag of the root element, from `<` to the end of its name.
     root: TextRange,
     /// The text of the name.
@@ -57,6 +59,12 @@ impl Manifest {
     /// Whether a package comes along at run time.
     pub fn declares(&self, package: &str) -> bool {
         self.runtime.iter().any(|known| known == package)
+    }
+
+    /// Whether a comment holds an element with the name of a package: somebody took it out.
+    pub fn leaves_out(&self, package: &str) -> bool {
+        let element = format!(">{package}<");
+        self.comments.iter().any(|text| text.contains(&element))
     }
 
     fn read(text: &str, file: FileId, folder: PathBuf, name: String) -> Option<Self> {
@@ -72,6 +80,10 @@ impl Manifest {
             .filter(|node| node.is_element() && RUNTIME.contains(&node.tag_name().name()))
             .filter_map(|node| Some(node.text()?.trim().to_owned()))
             .collect();
+        let comments = root.descendants().filter(Node::is_comment);
+        let comments = comments
+            .filter_map(|node| Some(node.text()?.to_owned()))
+            .collect();
         let start = root.range().start as u32;
         let name_node = root
             .children()
@@ -84,6 +96,7 @@ impl Manifest {
             folder,
             file,
             runtime,
+            comments,
             root: TextRange::new(start, start + 1 + root.tag_name().name().len() as u32),
             name_range: TextRange::new(name_text.start as u32, name_text.end as u32),
             insertion: insertion(text, root),

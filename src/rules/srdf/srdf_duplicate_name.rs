@@ -4,6 +4,7 @@ use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 use base::FastMap;
 use model::AttrValue;
+use project::{GroupState, Srdf};
 
 pub(super) static RULE: Rule = Rule::semantic(
     "SRD009",
@@ -36,11 +37,43 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
         ("virtual joint", Severity::Info),
         srdf.virtual_joints.iter().map(|joint| own(&joint.name)),
     );
-    let states = srdf.states.iter().filter_map(|state| {
-        let group = state.group.as_ref()?.name()?;
-        Some((group.as_str(), state.name.as_ref()))
-    });
-    report(out, ("group state", RULE.severity), states);
+    report_states(srdf, out);
+}
+
+/// Report group states of one name. Where they are one pose, nobody takes the wrong one.
+fn report_states(srdf: &Srdf, out: &mut Sink<'_>) {
+    let mut first: FastMap<(&str, &str), &GroupState> = FastMap::default();
+    for state in &srdf.states {
+        let [group, own] = [&state.group, &state.name].map(|text| text.as_ref()?.name());
+        let (Some(group), Some(own)) = (group, own) else {
+            continue;
+        };
+        let (group, own) = (group.as_str(), own.as_str());
+        let known = *first.entry((group, own)).or_insert(state);
+        let severity = match pose(known) == pose(state) {
+            true => Severity::Info,
+            false => RULE.severity,
+        };
+        let both = [known, state].map(|state| (group, state.name.as_ref()));
+        if !std::ptr::eq(known, state) {
+            report(out, ("group state", severity), both.into_iter());
+        }
+    }
+}
+
+/// The joints of a group state, each with its value as it is written.
+fn pose(state: &GroupState) -> Vec<(&str, Option<&str>)> {
+    let joints = state.joints.iter();
+    let mut pose: Vec<_> = joints
+        .map(|(joint, value)| {
+            (
+                joint.value.as_str(),
+                value.as_ref().map(|value| value.value.as_str()),
+            )
+        })
+        .collect();
+    pose.sort_unstable();
+    pose
 }
 
 /// Report the names that are there twice in the same scope.

@@ -47,14 +47,23 @@ pub(super) fn is_launch(path: &Path) -> bool {
 
 /// Whether a file is a program, and no test of one.
 pub(super) fn is_program(path: &Path) -> bool {
-    let ending = path
-        .extension()
-        .and_then(|ending| ending.to_str())
-        .unwrap_or("");
+    has_ending_of_program(path) && !has_name_of_test(path)
+}
+
+/// Whether a file is a program that tests something.
+pub(super) fn is_test(path: &Path) -> bool {
+    has_ending_of_program(path) && has_name_of_test(path)
+}
+
+fn has_ending_of_program(path: &Path) -> bool {
+    let ending = path.extension().and_then(|ending| ending.to_str());
+    ending.is_some_and(|ending| ["py", "cpp", "sh", "m"].contains(&ending))
+}
+
+fn has_name_of_test(path: &Path) -> bool {
     let folder = path.parent().and_then(Path::file_name);
     let mut names = path.file_name().into_iter().chain(folder);
-    let is_test = names.any(|name| name.to_string_lossy().to_lowercase().starts_with("test"));
-    ["py", "cpp", "sh", "m"].contains(&ending) && !is_test
+    names.any(|name| name.to_string_lossy().to_lowercase().starts_with("test"))
 }
 
 /// Whether a file may belong to a robot, by its name: SRDF, YAML, what MoveIt's setup assistant wrote down.

@@ -5,7 +5,7 @@ use std::path::Path;
 use super::Callers;
 use super::caller::Caller;
 use super::era::Era;
-use super::file_names::name_of;
+use super::file_names::{self, name_of};
 use super::read;
 
 impl Callers {
@@ -23,9 +23,14 @@ impl Callers {
 
     /// Whether something that runs names the description `file`, in part at least; a page does not run.
     pub fn load(&self, file: &Path) -> bool {
+        self.load_where(file, |_| true)
+    }
+
+    /// Whether something that runs and that counts names the description `file`, in part at least.
+    pub fn load_where(&self, file: &Path, counts: impl Fn(&Path) -> bool) -> bool {
         self.of(file)
             .iter()
-            .any(|caller| !caller.is_page() && caller.says(file))
+            .any(|caller| !caller.is_page() && caller.says(file) && counts(&caller.path))
     }
 
     /// Whether a launch file may mean the description `file`.
@@ -78,9 +83,13 @@ impl Callers {
                 .around(file)
                 .is_some_and(|uses| uses.callers.iter().any(&is_of_kind));
         }
+        // tests say as well what it is for
+        let runs = |caller: &Caller| {
+            caller.is_launch() || caller.is_program() || file_names::is_test(&caller.path)
+        };
         let mut loaders = all
             .iter()
-            .filter(|caller| caller.says(file) && (caller.is_launch() || caller.is_program()))
+            .filter(|caller| caller.says(file) && runs(caller))
             .peekable();
         loaders.peek().is_some() && loaders.all(|caller| is_of_kind(caller) && !caller.is_launch())
     }

@@ -76,11 +76,16 @@ pub fn without_comments<'t>(name: &str, text: &'t str) -> Cow<'t, str> {
             let behind = parts.filter_map(|part| Some(part.split_once("-->")?.1));
             Cow::Owned(behind.fold(first, |kept, part| kept + part))
         }
-        "py" | "sh" | "bash" | "yaml" | "yml" if text.contains('#') => Cow::Owned(
-            text.split_inclusive('\n')
-                .map(without_line_comment)
-                .collect(),
-        ),
+        "py" | "sh" | "bash" | "yaml" | "yml" if text.contains('#') => {
+            let lines = text.split_inclusive('\n');
+            let kept = lines.flat_map(|line| {
+                let kept = without_line_comment(line);
+                // the next line stays one of its own: YAML counts its blanks
+                let is_cut = kept.len() < line.len() && line.ends_with('\n');
+                [kept, if is_cut { "\n" } else { "" }]
+            });
+            Cow::Owned(kept.collect())
+        }
         _ => Cow::Borrowed(text),
     }
 }

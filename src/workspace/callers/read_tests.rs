@@ -146,6 +146,15 @@ fn comments_call_nothing() {
         Some((&["s.xacro"], &[])),
     );
     check_caller("a.launch.py", "# only arm.xacro", None);
+    let yaml = "urdf:\n  # the arm\n  path: arm.xacro\n  urdf_params:\n    # side\n    - side: left # or right\n    - size: big\n";
+    check_caller(
+        "a.yaml",
+        yaml,
+        Some((
+            &["arm.xacro"],
+            &[("side", Some("left")), ("size", Some("big"))],
+        )),
+    );
     let idle = "<launch><arg name='old' default='old.urdf'/><param textfile='arm.urdf'/></launch>";
     check_caller("a.launch", idle, Some((&["arm.urdf"], &[])));
     let read =

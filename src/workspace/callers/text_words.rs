@@ -87,7 +87,7 @@ const WORDS: [(&str, u32); 59] = [
     ("fcl", TRIANGLES),
     ("hpp-", TRIANGLES),
     ("controller_manager", SIMULATES | CONTROLS),
-    ("hardware_interface", CONTROLS),
+    ("hardware_interface::", CONTROLS),
     ("ros_control", CONTROLS),
     ("transmission_interface", CONTROLS),
     ("spawner", STARTS),

@@ -329,6 +329,11 @@ fn python_calls_of_xacro() {
             &["/r/a.xacro a=1"],
         ),
         (
+            "a helper that runs xacro",
+            "from launch_utils import to_urdf\nto_urdf('/r/a.xacro', {'side': 'left'})",
+            &["/r/a.xacro side=left"],
+        ),
+        (
             "another process_file",
             "other.process_file('/r/a.xacro')",
             &[],

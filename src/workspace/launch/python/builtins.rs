@@ -179,6 +179,15 @@ impl PythonReader<'_> {
                 self.process(range, file, mappings, args.open);
                 PythonValue::Unknown
             }
+            // a helper that many launch files import from beside them, after that of realsense-ros
+            "to_urdf" => {
+                let file = args
+                    .take(0, "xacro_path")
+                    .map_or_else(Text::opaque, PythonValue::text);
+                let mappings = args.take(1, "parameters");
+                self.process(range, file, mappings, args.open);
+                PythonValue::Unknown
+            }
             "parse" if is_xacro(path) => match (args.take(0, "inp"), args.take(1, "filename")) {
                 (Some(PythonValue::Document(file)), _) => PythonValue::Document(file),
                 (_, Some(PythonValue::Text(file))) => PythonValue::Document(file),
