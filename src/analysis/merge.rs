@@ -111,7 +111,8 @@ impl Merged {
             };
             self.finding.severity = self.finding.severity.min(most);
         }
-        if contexts.is_in_no_call(&self.results) {
+        // a name that is misspelled is wrong, whoever gives another value
+        if self.finding.fix.is_none() && contexts.is_in_no_call(&self.results) {
             self.finding.severity = self.finding.severity.min(Severity::Info);
         }
         let has = |number: &usize| self.results.contains(number);

@@ -212,22 +212,36 @@ impl Session {
             }
     }
 
-    /// Whether a YAML file of its package has a key of that name, which is no common word: a program may read it for xacro.
+    /// Whether a YAML file of its package has a key of that name, beside keys with the names of other arguments of the robot: a program
+    /// reads it for xacro.
     fn is_key_beside(&self, file: &Path, name: &str) -> bool {
-        let package = self.packages.containing(file);
-        let Some(package) = package.filter(|_| name.contains('_')) else {
+        /// With fewer other arguments, the key may be about anything.
+        const OTHERS: usize = 2;
+        let Some(package) = self.packages.containing(file) else {
             return false;
         };
-        let is_key = |line: &str| {
-            let value = line.trim_start().strip_prefix(name);
-            value.is_some_and(|value| value.trim_start().starts_with(':'))
+        let keys = |text: &str| -> FastSet<String> {
+            let keys = text.lines().filter_map(|line| line.split_once(':'));
+            keys.map(|(key, _)| key.trim_start_matches([' ', '-']).trim_end().to_owned())
+                .collect()
+        };
+        let known = self.known(file).names;
+        let has_keys = |text: &str| {
+            let keys = keys(text);
+            let mut others = known.iter().filter(|other| *other != name);
+            keys.contains(name)
+                && others
+                    .by_ref()
+                    .filter(|other| keys.contains(other.as_str()))
+                    .count()
+                    >= OTHERS
         };
         let around = self.callers.beside(file);
         let mut own = around.iter().filter(|path| {
             let ending = path.extension().and_then(OsStr::to_str);
             path.starts_with(&package.folder) && matches!(ending, Some("yaml" | "yml"))
         });
-        own.any(|path| self.packages.is_text(path, |text| text.lines().any(is_key)))
+        own.any(|path| self.packages.is_text(path, has_keys))
     }
 
     /// Whether a launch file expands a file by itself.

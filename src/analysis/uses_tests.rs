@@ -466,7 +466,8 @@ fn paths_into_the_workspace_of_a_container() {
 
 #[test]
 fn arguments_that_are_keys_of_yaml() {
-    let robot = "<robot name='r' xmlns:xacro='x'><link name='base'/><xacro:if value='$(arg with_lidar)'/></robot>";
+    let robot = "<robot name='r' xmlns:xacro='x'><xacro:arg name='arms' default='1'/><xacro:arg name='hand' default='a'/>\
+        <link name='base'/><xacro:if value='$(arg with_lidar)'/></robot>";
     let of = |yaml: &str| {
         let files = [
             ("package.xml", "<package><name>arm</name></package>"),
@@ -479,6 +480,10 @@ fn arguments_that_are_keys_of_yaml() {
         ];
         severity("undefined-arg", &files)
     };
-    assert_eq!(of("load_arm:\n  with_lidar: false\n"), Some(Severity::Info));
-    assert_eq!(of("load_arm:\n  lidar: false\n"), Some(Severity::Error));
+    let of_robot = "load_arm:\n  arms: 2\n  hand: b\n  with_lidar: false\n";
+    assert_eq!(of(of_robot), Some(Severity::Info));
+    assert_eq!(
+        of("load_arm:\n  hand: b\n  with_lidar: false\n"),
+        Some(Severity::Error)
+    );
 }
