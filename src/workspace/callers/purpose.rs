@@ -10,6 +10,7 @@ use super::meant::may_mean;
 use super::mentions::TextMentions;
 use super::read::{has_any, has_name};
 use super::uses::Uses;
+use crate::include_pattern::admitted_files;
 use base::FastSet;
 use packages::Packages;
 use vfs::Vfs;
@@ -199,13 +200,38 @@ impl Callers {
         };
         let is_beside = |caller: &&Caller| caller.is_launch() && starts_with(caller);
         let mut beside = uses.callers.iter().filter(is_beside).peekable();
-        let names_it = |caller: &Caller| uses.names(caller, file, &self.packages, false);
-        let names_another = |caller: &Caller| uses.has_another(caller, file, &self.packages);
         let mut is_another = false;
         beside.all(|caller| {
-            is_another |= names_another(caller);
-            !names_it(caller)
+            is_another |= uses.has_another(caller, file, &self.packages);
+            let computes = caller.is_open || caller.ends_in_word(file) || caller.ends(file);
+            !(computes || uses.names(caller, file, &self.packages, false))
         }) && is_another
+            && !self.is_selected(file, uses)
+    }
+
+    /// Whether an include with a computed name may bring a file into a description that something loads: what is done with that one is
+    /// done with the file.
+    fn is_selected(&self, file: &Path, uses: &Uses) -> bool {
+        let loaders = uses.callers.iter().filter(|caller| !caller.is_page());
+        let mut loaded = loaders.flat_map(|caller| uses.others(caller, file, &self.packages));
+        loaded.any(|description| self.selects(description, file))
+    }
+
+    /// Whether an include with a computed name in a description may bring in a file.
+    fn selects(&self, description: &Path, file: &Path) -> bool {
+        let vfs = self.packages.vfs();
+        let Ok(source) = vfs.document(description) else {
+            return false;
+        };
+        let items = source.document.parts();
+        let includes = items
+            .flat_map(|(_, item)| item.all_nodes())
+            .filter(|node| node.name() == "xacro:include");
+        let mut names = includes.filter_map(|node| Some(node.attr("filename")?.raw()));
+        names.any(|name| {
+            let files = admitted_files(name, description, &self.packages, vfs);
+            files.iter().any(|admitted| admitted == file)
+        })
     }
 
     /// A launch file with those that include it, and those that include these.

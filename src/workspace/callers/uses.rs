@@ -61,14 +61,21 @@ impl Uses {
         })
     }
 
+    /// The descriptions that are there and that a caller names, other than `file`.
+    pub(super) fn others<'u>(
+        &'u self,
+        caller: &'u Caller,
+        file: &'u Path,
+        packages: &'u Packages,
+    ) -> impl Iterator<Item = &'u PathBuf> {
+        let named = caller.descriptions.keys();
+        let others = named.filter_map(|name| self.files.get(name)).flatten();
+        others.filter(move |other| *other != file && self.names(caller, other, packages, false))
+    }
+
     /// Whether a caller names a description that is there, other than `file`.
     pub(super) fn has_another(&self, caller: &Caller, file: &Path, packages: &Packages) -> bool {
-        let mut others = caller
-            .descriptions
-            .keys()
-            .filter_map(|name| self.files.get(name))
-            .flatten();
-        others.any(|other| other != file && self.names(caller, other, packages, false))
+        self.others(caller, file, packages).next().is_some()
     }
 
     /// Whether one of these callers names a description that is there, other than `file`.
