@@ -61,14 +61,18 @@ fn report_states(srdf: &Srdf, out: &mut Sink<'_>) {
     }
 }
 
-/// The joints of a group state, each with its value as it is written.
-fn pose(state: &GroupState) -> Vec<(&str, Option<&str>)> {
+/// The joints of a group state, each with its value: 0 and 0.0 are one.
+fn pose(state: &GroupState) -> Vec<(&str, String)> {
+    let value = |text: &AttrValue| match text.number() {
+        Some(number) => (number + 0.0).to_string(),
+        None => text.value.to_string(),
+    };
     let joints = state.joints.iter();
     let mut pose: Vec<_> = joints
-        .map(|(joint, value)| {
+        .map(|(joint, text)| {
             (
                 joint.value.as_str(),
-                value.as_ref().map(|value| value.value.as_str()),
+                text.as_ref().map_or(String::new(), value),
             )
         })
         .collect();
