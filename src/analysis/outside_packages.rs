@@ -18,7 +18,7 @@ pub(super) fn settle_outside_packages(session: &Session, file: &Path, findings: 
     let is_loaded = !session.holds_above(file, |file| !session.callers.load(file));
     let purpose = session
         .callers
-        .purpose(file)
+        .purpose(file, |_| false)
         .filter(|_| is_loaded && !session.callers.is_of_others(file));
     let is_read =
         |finding: &Finding| purpose.is_some_and(|purpose| is_for_any_reader(finding, purpose));

@@ -538,3 +538,39 @@ fn simulators_that_another_robot_is_started_with() {
     // nothing says which robot it is for
     assert_eq!(of("<launch/>"), Some(Severity::Warning));
 }
+
+#[test]
+fn robots_that_only_a_left_over_launch_file_loads() {
+    let negative = IMPOSSIBLE.replace("iyy='0.1'", "iyy='-0.1'");
+    let of = |launch: &str| {
+        let files = [
+            MANIFEST,
+            ("urdf/arm.urdf", negative.as_str()),
+            (
+                "urdf/cart.urdf",
+                "<robot name='cart'><link name='base'/></robot>",
+            ),
+            (launch, "<param textfile='$(find arm)/urdf/arm.urdf'/>"),
+            (
+                "launch/cart.launch",
+                "<param textfile='$(find arm)/urdf/cart.urdf'/><node pkg='moveit_ros_move_group'/>",
+            ),
+        ];
+        severity("inertia-not-positive-definite", &files)
+    };
+    assert_eq!(of("launch/arm.launch"), Some(Severity::Error));
+    assert_eq!(of("launch/arm_backup.launch"), Some(Severity::Info));
+    // all of it is kept
+    let kept = [
+        ("old/package.xml", MANIFEST.1),
+        ("old/urdf/arm.urdf", negative.as_str()),
+        (
+            "old/launch/arm.launch",
+            "<param textfile='$(find arm)/urdf/arm.urdf'/><node pkg='moveit_ros_move_group'/>",
+        ),
+    ];
+    assert_eq!(
+        severity("inertia-not-positive-definite", &kept),
+        Some(Severity::Error)
+    );
+}

@@ -165,7 +165,9 @@ impl Session {
 
     /// What is done with a description. MoveIt finds one by the name of its package.
     fn purpose(&self, file: &Path) -> Option<Purpose> {
-        let mut purpose = self.callers.purpose(file)?;
+        // where the file is kept itself, so is all around it
+        let is_left_over = |by: &Path| self.is_kept(by) && !self.is_kept(file);
+        let mut purpose = self.callers.purpose(file, is_left_over)?;
         let package = self.packages.containing(file);
         if !purpose.is_loaded
             && package.is_some_and(|package| self.is_built_for_moveit(file, &package.folder))
@@ -196,7 +198,7 @@ impl Session {
                 && self.robot_name(other).as_deref() == Some(&*name)
         });
         sources.any(|source| {
-            let purpose = self.callers.purpose(source);
+            let purpose = self.purpose(source);
             purpose.is_some_and(|purpose| purpose.is_loaded && purpose.is_weighed)
         })
     }

@@ -95,8 +95,9 @@ impl Purpose {
 }
 
 impl Callers {
-    /// What is done with the description `file`, alone or as a part of others; none where not all texts around it are known.
-    pub fn purpose(&self, file: &Path) -> Option<Purpose> {
+    /// What is done with the description `file`, alone or as a part of others, by texts that are not left over; none where not all
+    /// texts around it are known.
+    pub fn purpose(&self, file: &Path, is_left_over: impl Fn(&Path) -> bool) -> Option<Purpose> {
         let mentions = self.mentions(file).filter(|mentions| mentions.is_whole)?;
         let mut purpose = Purpose {
             is_applied: mentions.moves,
@@ -105,7 +106,8 @@ impl Callers {
         let mut open = self.loaders(file, &mentions);
         let mut seen: FastSet<PathBuf> = FastSet::default();
         while let Some(path) = open.pop() {
-            if !is_run(&path, &self.packages) || !seen.insert(path.clone()) {
+            let is_passed_over = !is_run(&path, &self.packages) || is_left_over(&path);
+            if is_passed_over || !seen.insert(path.clone()) {
                 continue;
             }
             purpose.add(&path, &mentions);
