@@ -9,7 +9,7 @@ use super::super::root_analysis::RootAnalysis;
 use super::super::root_config::RootConfig;
 use super::super::session::Session;
 use super::files::{Beside, Robots, Sort, sort};
-use super::fitting::{Paired, has_choices, names_of};
+use super::fitting::{Paired, all_names_of, has_choices};
 use super::paired::Pairing;
 use super::spelled::Prefixes;
 use base::limits::FILES_BESIDE;
@@ -206,7 +206,7 @@ impl Session {
         };
         let further = || {
             let mut names = self.further_names(&paired.robots, cancel);
-            names.extend(&names_of(&paired.unused));
+            names.extend(&all_names_of(&paired.unused));
             srdfs.clone().for_each(|(srdf, _)| {
                 self.add_spelled(&srdf.root.file, Prefixes::Kept, &mut names)
             });

@@ -17,7 +17,8 @@ use rules::{RobotNames, is_whole};
 pub(super) struct Paired {
     /// Whole robots.
     pub robots: Vec<Arc<RootAnalysis>>,
-    /// Copies and old versions of these: their names are known, and nothing else of them counts.
+    /// Copies and old versions of these, and those that lack a part beside a copy that has it: their names are known, and nothing
+    /// else of them counts.
     pub unused: Vec<Arc<RootAnalysis>>,
 }
 
@@ -45,7 +46,7 @@ impl Session {
             .collect();
         let mut found = all?;
         found.retain(|one| !is_empty(one));
-        let unused = self.take_unused(&mut found, own);
+        let mut unused = self.take_unused(&mut found, own);
         // where a part of a robot is missing, nothing can be said to be missing; a part of another robot is known there
         if found
             .iter()
@@ -53,7 +54,9 @@ impl Session {
         {
             return None;
         }
-        found.retain(|one| is_settled(one));
+        let (settled, lacking) = found.into_iter().partition(|one| is_settled(one));
+        let found: Vec<_> = settled;
+        unused.extend::<Vec<_>>(lacking);
         let names = names_of(&found);
         let has_arguments = found.iter().any(|one| !one.expansion.arguments.is_empty());
         // what the SRDF is for, the other settings in its package are for
@@ -108,6 +111,17 @@ pub(super) fn names_of(robots: &[Arc<RootAnalysis>]) -> RobotNames {
         .iter()
         .filter_map(|one| one.robot.as_ref())
         .for_each(|robot| names.add(robot));
+    names
+}
+
+/// The same, with the joints that hardware moves: a file that is missing may give them.
+pub(super) fn all_names_of(robots: &[Arc<RootAnalysis>]) -> RobotNames {
+    let mut names = names_of(robots);
+    let robots = robots.iter().filter_map(|one| one.robot.as_ref());
+    let hardware = robots.flat_map(|robot| &robot.controls);
+    let joints = hardware.flat_map(|control| &control.joints);
+    let named = joints.filter_map(|joint| joint.name.as_ref()?.name().cloned());
+    names.joints.extend(named);
     names
 }
 
@@ -202,5 +216,49 @@ impl Beside {
         found.sort_unstable_by(|(a, one), (b, two)| (*a as u8, one).cmp(&(*b as u8, two)));
         found.dedup();
         found
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::set_aside_tests::found;
+
+    #[test]
+    fn joints_of_hardware_beside_a_copy_without_them() {
+        let of = |hardware: &str| {
+            let arm = "<link name='base'/><link name='tip'/><joint name='turn' type='continuous'><parent link='base'/>\
+                       <child link='tip'/><axis xyz='0 0 1'/></joint>";
+            let block = |joints: &str| {
+                format!(
+                    "<ros2_control name='h' type='system'><hardware><plugin>p/P</plugin></hardware>{joints}</ros2_control>"
+                )
+            };
+            let joint = |name: &str| {
+                format!("<joint name='{name}'><command_interface name='position'/></joint>")
+            };
+            let copy = format!("<robot name='arm'>{arm}{}</robot>", block(&joint("turn")));
+            let robot = format!(
+                "<robot name='arm' xmlns:xacro='x'><xacro:include filename='$(find gripper)/gripper.xacro'/>{arm}\
+                 <xacro:gripper/>{}</robot>",
+                block(&(joint("turn") + hardware))
+            );
+            let controllers = "controller_manager:\n  ros__parameters:\n    grip:\n      type: position_controllers/GripperActionController\n    \
+                               go:\n      type: joint_trajectory_controller/JointTrajectoryController\n\
+                               grip:\n  ros__parameters:\n    joint: finger\n\
+                               go:\n  ros__parameters:\n    joints: [turn]\n    command_interfaces: [position]\n";
+            let files = [
+                (
+                    "package.xml",
+                    "<package format='3'><name>arm</name><buildtool_depend>ament_cmake</buildtool_depend></package>",
+                ),
+                ("urdf/arm.urdf", copy.as_str()),
+                ("urdf/arm.urdf.xacro", robot.as_str()),
+                ("config/controllers.yaml", controllers),
+            ];
+            found(&files, "controller-unknown-joint").len()
+        };
+        assert_eq!(of(""), 1);
+        let finger = "<joint name='finger'><command_interface name='position'/></joint>";
+        assert_eq!(of(finger), 0);
     }
 }
