@@ -228,13 +228,10 @@ impl Session {
         let known = self.known(file).names;
         let has_keys = |text: &str| {
             let keys = keys(text);
-            let mut others = known.iter().filter(|other| *other != name);
-            keys.contains(name)
-                && others
-                    .by_ref()
-                    .filter(|other| keys.contains(other.as_str()))
-                    .count()
-                    >= OTHERS
+            let others = known
+                .iter()
+                .filter(|other| *other != name && keys.contains(other.as_str()));
+            keys.contains(name) && others.count() >= OTHERS
         };
         let around = self.callers.beside(file);
         let mut own = around.iter().filter(|path| {

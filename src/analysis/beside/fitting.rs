@@ -54,9 +54,8 @@ impl Session {
         {
             return None;
         }
-        let (settled, lacking) = found.into_iter().partition(|one| is_settled(one));
-        let found: Vec<_> = settled;
-        unused.extend::<Vec<_>>(lacking);
+        let (found, lacking): (Vec<_>, Vec<_>) = found.into_iter().partition(|one| is_settled(one));
+        unused.extend(lacking);
         let names = names_of(&found);
         let has_arguments = found.iter().any(|one| !one.expansion.arguments.is_empty());
         // what the SRDF is for, the other settings in its package are for
