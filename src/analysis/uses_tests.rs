@@ -445,7 +445,7 @@ fn wheels_that_are_meshes() {
 #[test]
 fn paths_into_the_workspace_of_a_container() {
     let robot = "<robot name='r'><link name='base'><visual><geometry>\
-        <mesh filename='file:///root/ws/src/arm/a.stl'/></geometry></visual></link></robot>";
+        <mesh filename='file:///opt/ws/src/arm/a.stl'/></geometry></visual></link></robot>";
     let of = |others: &[(&str, &str)]| {
         let own = [
             ("package.xml", "<package><name>arm</name></package>"),
@@ -455,11 +455,11 @@ fn paths_into_the_workspace_of_a_container() {
     };
     assert_eq!(of(&[]), Some(Severity::Warning));
     assert_eq!(
-        of(&[("Dockerfile", "WORKDIR /root/ws\n")]),
+        of(&[("Dockerfile", "WORKDIR /opt/ws\n")]),
         Some(Severity::Info)
     );
     assert_eq!(
-        of(&[("Dockerfile", "WORKDIR /root\n")]),
+        of(&[("Dockerfile", "WORKDIR /opt\n")]),
         Some(Severity::Warning)
     );
 }

@@ -118,6 +118,7 @@ fn drawing(
 ) -> String {
     let Some(primary) = mark(files, finding.span, "") else {
         let path = shown_path(report.path(finding.span.file), cwd);
+        let (row, column) = report.position(finding.span).start;
         let Finding {
             severity,
             rule,
@@ -138,7 +139,7 @@ fn drawing(
             });
         let from = from.unwrap_or_default();
         return visible(&format!(
-            "{severity}[{}]: {path}: {message}{from}",
+            "{severity}[{}]: {path}:{row}:{column}: {message}{from}",
             rule.name
         ));
     };
@@ -179,12 +180,13 @@ fn mark<'f>(
 /// Whether the text of a file may be shown. What is no description by its name, or belongs to no robot, may be anything:
 /// a key, say. Its text is not for a log.
 pub(super) fn is_shown(path: &Path, around: &TrustedPaths<'_>) -> bool {
-    const ENDINGS: [&str; 13] = [
-        "xacro", "urdf", "xml", "srdf", "sdf", "yaml", "yml", "toml", "txt", "launch", "py", "sh",
-        "bash",
+    const ENDINGS: [&str; 16] = [
+        "xacro", "urdf", "gazebo", "trans", "world", "xml", "srdf", "sdf", "yaml", "yml", "toml",
+        "txt", "launch", "py", "sh", "bash",
     ];
+    let is_known = |ending: &str| ENDINGS.iter().any(|own| own.eq_ignore_ascii_case(ending));
     let ending = path.extension().and_then(|ending| ending.to_str());
-    ending.is_some_and(|ending| ENDINGS.contains(&ending)) && around.hold(path)
+    ending.is_some_and(is_known) && around.hold(path)
 }
 
 /// The level of a message in a terminal.

@@ -77,11 +77,11 @@ mod tests {
             );
             packages.is_in_container(&tree.path("ws/arm/urdf/arm.xacro"), path)
         };
-        let mesh = "file:///root/ws/install/share/arm/a.stl";
-        assert!(is_it("ws/Dockerfile", "ARG WS=/root/ws\n", mesh));
-        assert!(is_it("ws/README.md", "You are in `/root/ws` now.", mesh));
-        assert!(!is_it("ws/Dockerfile", "WORKDIR /root/ws_old", mesh));
-        assert!(!is_it("ws/setup.sh", "cd /root/ws", mesh));
+        let mesh = "file:///opt/ws/install/share/arm/a.stl";
+        assert!(is_it("ws/Dockerfile", "ARG WS=/opt/ws\n", mesh));
+        assert!(is_it("ws/README.md", "You are in `/opt/ws` now.", mesh));
+        assert!(!is_it("ws/Dockerfile", "WORKDIR /opt/ws_old", mesh));
+        assert!(!is_it("ws/setup.sh", "cd /opt/ws", mesh));
         let home = "/home/me/ws/src/arm/a.yaml";
         assert!(!is_it("ws/README.md", "cd /home/me/ws", home));
         assert!(is_it(
