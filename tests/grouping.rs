@@ -338,3 +338,29 @@ fn missing_files_of_one_folder() {
         [3, 1]
     );
 }
+
+#[test]
+fn many_names_that_resemble_none_are_of_another_robot() {
+    let srdf = |count: usize| {
+        let links: String = (0..count)
+            .map(|number| format!("    <link name=\"thumb_{number}\"/>\n"))
+            .collect();
+        format!(
+            "<robot name=\"r\">\n  <group name=\"all\">\n    <link name=\"a\"/>\n    <link name=\"b\"/>\n    <link name=\"c\"/>\n\
+                 <link name=\"d\"/>\n    <link name=\"e\"/>\n{links}  </group>\n</robot>\n"
+        )
+    };
+    let folder = Folder::of(&[
+        ("r.urdf", robot(&["a", "b", "c", "d", "e"])),
+        ("r.srdf", srdf(4)),
+    ]);
+    let check = "check --select srdf-unknown-link --format json";
+    assert_eq!(folder.json(check).len(), 4);
+    folder.write("r.srdf", &srdf(5));
+    let found = folder.json(check);
+    assert_eq!(found.len(), 1, "{found:?}");
+    assert!(
+        message(&found[0]).ends_with("; 4 more locations in this file"),
+        "{found:?}"
+    );
+}

@@ -186,4 +186,28 @@ fn descriptions_for_xacro_that_are_loaded_as_they_are() {
     check_launch(load, &[("arm/urdf/arm.urdf.xacro", values)], &[]);
     let used = values.replace("<link name='a'/>", "<link name='$(arg a)'/>");
     check_launch(load, &[("arm/urdf/arm.urdf.xacro", &used)], &[plain]);
+    // a block that is inserted outside of a macro is left over
+    let left_over = "<robot name='r' xmlns:xacro='x'><link name='a'><xacro:insert_block name='origin'/></link></robot>";
+    check_launch(load, &[("arm/urdf/arm.urdf.xacro", left_over)], &[]);
+}
+
+#[test]
+fn descriptions_that_the_same_launch_file_expands_too() {
+    let path = "$(find arm)/urdf/arm.urdf.xacro";
+    let load = format!("<param name='robot_description' textfile='{path}'/>");
+    let of = |more: &str, expected: &[&str]| {
+        let launch = format!("<launch>{load}{more}</launch>");
+        check_launch("", &[("bringup/launch/view.launch", &launch)], expected);
+    };
+    of(
+        "",
+        &[
+            "warning `$(find arm)/urdf/arm.urdf.xacro` is loaded without xacro, so its xacro elements have no effect \
+             @$(find arm)/urdf/arm.urdf.xacro",
+        ],
+    );
+    of(
+        &format!("<param name='robot_description' command='xacro {path}'/>"),
+        &[],
+    );
 }

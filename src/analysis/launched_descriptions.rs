@@ -35,7 +35,9 @@ impl LaunchedDescriptions<'_> {
 
     /// A file for xacro that is loaded as it is, in a text that does not run xacro.
     pub fn unexpanded_load(&self, group: &[RobotCall]) -> Option<Finding> {
-        let load = group.iter().find(|load| self.is_unexpanded(load))?;
+        let load = group
+            .iter()
+            .find(|load| self.is_unexpanded(load) && !self.is_expanded_too(load))?;
         let place = load.call.file.place().unwrap_or(load.call.range);
         let span = Span {
             file: self.0.vfs.file_id(&load.call.caller),
@@ -61,6 +63,16 @@ impl LaunchedDescriptions<'_> {
         let source = load.target.as_ref().filter(is_named);
         let source = source.and_then(|path| self.0.vfs.document(path).ok());
         source.is_some_and(|source| needs_xacro(&source.document))
+    }
+
+    /// Whether the same launch file also runs xacro on the file of a call.
+    fn is_expanded_too(&self, load: &RobotCall) -> bool {
+        let calls = self.0.callers.calls(&load.call.caller);
+        calls.iter().any(|call| {
+            call.call.caller == load.call.caller
+                && call.target.is_some()
+                && call.target == load.target
+        })
     }
 
     /// Whether a program looks whether files exist, or writes some itself.
@@ -154,12 +166,13 @@ fn runs_xacro(text: &str) -> bool {
     text.match_indices("xacro").any(is_run) || EXPANDS.iter().any(|name| text.contains(name))
 }
 
-/// Whether a description has elements of xacro other than values, or expressions.
+/// Whether a description has elements of xacro that change it, or expressions: values alone do not, and neither does a block that
+/// is inserted outside of a macro.
 fn needs_xacro(document: &Document) -> bool {
     document.parts().any(|(_, item)| {
         item.all_nodes().any(|node| {
             let name = node.name();
-            let is_value = ["xacro:property", "xacro:arg"].contains(&name);
+            let is_value = ["xacro:property", "xacro:arg", "xacro:insert_block"].contains(&name);
             let mut values = node.attrs();
             let is_computed = |text: &str| text.contains("${") || text.contains("$(");
             !is_value && (name.starts_with("xacro:") || values.any(|attr| is_computed(attr.raw())))

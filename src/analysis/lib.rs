@@ -81,6 +81,8 @@ mod outside_packages_tests;
 #[cfg(test)]
 mod package_tests;
 #[cfg(test)]
+mod pairing_tests;
+#[cfg(test)]
 mod purpose_tests;
 #[cfg(test)]
 mod set_aside_tests;

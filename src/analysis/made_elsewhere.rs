@@ -4,7 +4,7 @@ use std::path::{Component, Path};
 use super::check_task::CheckTask;
 use super::session::Session;
 use rules::{Finding, Severity, named};
-use workspace::downloads_data;
+use workspace::{downloads_data, is_page};
 
 impl Session {
     /// What is wrong only before a program changes the text or gets the data is an info.
@@ -20,6 +20,10 @@ impl Session {
         };
         let downloads = || downloads_data(&self.packages, &task.file).then_some(Severity::Info);
         self.lower_where(findings, is_absent, downloads);
+        let is_to_be_had = |finding: &Finding| {
+            finding.rule == named::MESH_NOT_FOUND && self.has_only_a_page(&task.file, finding)
+        };
+        self.lower_where(findings, is_to_be_had, || Some(Severity::Info));
     }
 
     /// Whether a program changes the `$(find ...)` that a finding is about, in the robot or in the file of the finding.
@@ -51,6 +55,28 @@ impl Session {
                 .skip(1)
                 .take_while(is_inside)
                 .any(|folder| self.vfs.exists(&folder.join(first)))
+    }
+
+    /// Whether the folder of a mesh holds a page and nothing else: it says where to get the meshes.
+    fn has_only_a_page(&self, file: &Path, finding: &Finding) -> bool {
+        let text = self.text_of(finding).unwrap_or_default();
+        let named = text
+            .strip_prefix("package://")
+            .and_then(|rest| rest.split_once('/'));
+        let folder = named.and_then(|(package, path)| {
+            let package = self.packages.find(package, file).ok()?;
+            Some(package.path.join(Path::new(path).parent()?))
+        });
+        let Some(folder) = folder.filter(|_| !text.contains('$')) else {
+            return false;
+        };
+        let names = self.vfs.list_dir(&folder);
+        let mut names = names
+            .iter()
+            .filter(|entry| !entry.name.starts_with('.'))
+            .peekable();
+        names.peek().is_some()
+            && names.all(|entry| !entry.is_dir && is_page(&folder.join(&entry.name)))
     }
 
     /// The text that a finding is about.

@@ -55,6 +55,38 @@ fn meshes_that_a_program_downloads() {
 }
 
 #[test]
+fn meshes_that_a_page_says_where_to_get() {
+    let robot = "<robot name='lamp'><link name='base'><visual><geometry><mesh filename='package://lamp_description/meshes/base.stl'/></geometry></visual></link></robot>";
+    let of = |others: &[(&str, &str)]| {
+        let own = [MANIFEST, ("urdf/lamp.urdf", robot)];
+        severity(&[&own, others].concat(), "mesh-not-found")
+    };
+    let page = ("meshes/README.md", "Get base.stl from its maker.");
+    assert_eq!(of(&[]), Some(Severity::Error));
+    assert_eq!(of(&[page]), Some(Severity::Info));
+    assert_eq!(
+        of(&[page, ("meshes/top.stl", "solid\nendsolid\n")]),
+        Some(Severity::Error)
+    );
+}
+
+#[test]
+fn meshes_for_matlab() {
+    let robot = "<robot name='lamp'><link name='base'><visual><geometry><mesh filename='base.stl'/></geometry></visual></link></robot>";
+    let of = |others: &[(&str, &str)]| {
+        let own = [("model/lamp.urdf", robot)];
+        severity(&[&own, others].concat(), "mesh-not-found")
+    };
+    let program = (
+        "arm.m",
+        "robot = importrobot('lamp.urdf', MeshPath='shapes');",
+    );
+    let other = ("show.py", "load('lamp.urdf')");
+    assert_eq!(of(&[program]), Some(Severity::Info));
+    assert_eq!(of(&[program, other]), Some(Severity::Error));
+}
+
+#[test]
 fn arguments_for_a_command_line() {
     let robot = "<robot name='lamp' xmlns:xacro='x'><link name='$(arg side)_base'/></robot>";
     let of = |others: &[(&str, &str)]| {

@@ -9,7 +9,7 @@ struct Merged {
     finding: Finding,
     /// Numbers of the results that have it.
     results: Vec<usize>,
-    /// The same for each call of the finding.
+    /// The same for each call of the finding, once there are several results.
     by_call_site: Vec<Vec<usize>>,
 }
 
@@ -47,11 +47,10 @@ pub(super) fn merge(results: Vec<RootResult>) -> Vec<Finding> {
 
 impl Merged {
     fn new(finding: Finding, number: usize) -> Self {
-        let by_call_site = vec![vec![number]; finding.call_sites.len()];
         Self {
             finding,
             results: vec![number],
-            by_call_site,
+            by_call_site: Vec::new(),
         }
     }
 
@@ -63,6 +62,8 @@ impl Merged {
 
     fn add(&mut self, finding: Finding, number: usize) {
         const MOST_RELATED: usize = 12;
+        let (calls, first) = (self.finding.call_sites.len(), self.results.clone());
+        self.by_call_site.resize(calls, first);
         self.results.push(number);
         self.finding.severity = self.finding.severity.max(finding.severity);
         self.finding.partial |= finding.partial;
@@ -139,7 +140,9 @@ impl Merged {
         if self.finding.rule.has(Trait::Unnecessary) {
             return None;
         }
-        for (call_site, own) in self.finding.call_sites.iter_mut().zip(&self.by_call_site) {
+        let call_sites = self.finding.call_sites.make_mut().iter_mut();
+        for (number, call_site) in call_sites.enumerate() {
+            let own = self.by_call_site.get(number).unwrap_or(&self.results);
             call_site.message.push_str(&contexts.suffix(own));
         }
         self.finding

@@ -6,7 +6,7 @@ use indexmap::IndexMap;
 
 use super::report::Report;
 use base::Span;
-use ecow::EcoString;
+use ecow::{EcoString, EcoVec};
 use rules::{CallSite, Finding, Related, Severity};
 use vfs::Vfs;
 
@@ -33,7 +33,7 @@ pub(super) fn place(report: &mut Report, vfs: &Vfs, is_open: impl Fn(&Path) -> b
             }
             // the calls are told apart from here on: nobody asks for them again
             let finding = Finding {
-                call_sites: Vec::new(),
+                call_sites: EcoVec::new(),
                 ..finding
             };
             let leads = closed(&finding, open).map(|call| calls.entry(call).or_default());
@@ -76,7 +76,7 @@ fn as_in(finding: &Finding, call: Span) -> Finding {
     };
     Finding {
         message,
-        call_sites: Vec::new(),
+        call_sites: EcoVec::new(),
         ..finding.clone()
     }
 }
@@ -223,7 +223,7 @@ fn at_call(finding: &Finding, site: &CallSite) -> Finding {
             .clone()
             .filter(|_| site.help.as_deref() == finding.help.as_deref()),
         fix: finding.fix.clone().filter(|_| alone),
-        call_sites: Vec::new(),
+        call_sites: EcoVec::new(),
         ..finding.clone()
     }
 }

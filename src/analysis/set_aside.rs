@@ -96,12 +96,19 @@ impl Session {
             let is_taken = is_before_declaration(finding)
                 || has_dashes(finding)
                 || finding.rule.has(Trait::AcceptedByBullet)
+                || finding.rule.has(Trait::Gazebo)
                 || finding.rule == named::MESH_NOT_FOUND && self.is_above(&task.file, finding);
             is_taken || finding.rule.category == Category::Inertia
         };
         self.lower_where(findings, about_bullet, || {
             self.callers
                 .load_in_bullet(&task.file)
+                .then_some(Severity::Info)
+        });
+        let is_mesh = |finding: &Finding| finding.rule == named::MESH_NOT_FOUND;
+        self.lower_where(findings, is_mesh, || {
+            self.callers
+                .load_in_matlab(&task.file)
                 .then_some(Severity::Info)
         });
         let about_raisim = |finding: &Finding| {
@@ -306,8 +313,12 @@ impl Session {
     /// Whether the path of a file says that it is kept and not used.
     pub(super) fn is_kept(&self, file: &Path) -> bool {
         let words = self.words_of(file);
-        words.iter().any(|word| KEPT.contains(&word.as_str()))
+        // the second backup has a number
+        let is_kept =
+            |word: &String| KEPT.contains(&word.trim_end_matches(|c: char| c.is_ascii_digit()));
+        words.iter().any(is_kept)
             || words.windows(2).any(|pair| pair == ["not", "used"])
+            || is_second_download(file)
     }
 
     /// Whether the folder of a relative mesh lies in one above the file, where Bullet looks as well.
@@ -382,6 +393,15 @@ fn is_list_of_joints(robot: &Robot) -> bool {
     let is_bare =
         |joint: &Joint| joint.kind.is_none() && joint.parent.is_none() && joint.child.is_none();
     robot.links.is_empty() && !robot.joints.is_empty() && robot.joints.iter().all(is_bare)
+}
+
+/// Whether a file has the name that browsers give to what is downloaded once more: `arm (1).urdf`.
+fn is_second_download(file: &Path) -> bool {
+    let name = file.file_stem().unwrap_or_default().to_string_lossy();
+    let number = name
+        .strip_suffix(')')
+        .and_then(|name| name.rsplit_once(" ("));
+    number.is_some_and(|(_, number)| number.parse::<u32>().is_ok())
 }
 
 /// Whether the name of a file says that it is to be filled in.

@@ -97,6 +97,8 @@ impl Session {
                 !file.ends_with("kinematics.yaml") && self.callers.leave_yaml_alone(&file)
             } else if finding.rule == named::MOVEIT_UNKNOWN_CONTROLLER {
                 self.is_listed_elsewhere(&file, finding)
+            } else if finding.rule == named::SRDF_ROBOT_NAME {
+                self.is_named_as_launched(&file)
             } else {
                 finding.rule == named::SRDF_UNKNOWN_LINK && self.is_in_launched(&file, finding)
             };

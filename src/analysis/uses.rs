@@ -133,7 +133,10 @@ impl Session {
             let for_gazebo = |finding: &Finding| finding.rule.has(Trait::Gazebo);
             self.lower_where(findings, for_gazebo, || Some(Severity::Info));
         } else if is_for_gazebo {
-            (purpose.is_weighed, purpose.is_met) = (true, true);
+            // where launch files plan or control and none simulates, nothing weighs it
+            let is_only_applied = purpose.is_applied && purpose.is_loaded;
+            purpose.is_met = true;
+            purpose.is_weighed |= !is_only_applied || self.callers.simulate_any(file);
         }
         // where robots are only shown, others may load what nothing here does, or simulate it
         let is_used = purpose.is_loaded || self.callers.load_any(file);
@@ -172,7 +175,8 @@ impl Session {
         if !purpose.is_loaded
             && package.is_some_and(|package| self.is_built_for_moveit(file, &package.folder))
         {
-            (purpose.is_loaded, purpose.is_met) = (true, true);
+            // its launch files run a controller manager as well
+            (purpose.is_loaded, purpose.is_met, purpose.is_controlled) = (true, true, true);
         }
         Some(purpose)
     }
@@ -281,8 +285,13 @@ impl Session {
             .any(|entry| is_made_of_it(folder.join(&entry.name)))
     }
 
-    /// Whether a file is one that the setup assistant of MoveIt wrote around a description.
+    /// Whether a file is one that the setup assistant of MoveIt wrote around a description. That of ROS 1 wrote one for Gazebo as
+    /// well, which nothing can load in ROS 2.
     fn is_for_assistant(&self, file: &Path) -> bool {
+        let name = file.file_name().unwrap_or_default().to_string_lossy();
+        if name.starts_with("gazebo_") && self.packages.is_for_ament(file) {
+            return false;
+        }
         let package = self.packages.containing(file);
         package.is_some_and(|package| self.vfs.is_file(&package.folder.join(".setup_assistant")))
     }
@@ -387,12 +396,13 @@ fn is_without_effect(finding: &Finding, purpose: Purpose) -> bool {
         || rule.has(Trait::Contact) && !purpose.is_met
         || rule.has(Trait::Simulation) && !purpose.is_weighed && !purpose.is_met
         || rule.has(Trait::Transmission) && !purpose.is_weighed && !purpose.is_controlled
-        || stands_for_no_limit(finding) && !purpose.is_controlled
+        || is_for_controllers(finding) && !purpose.is_controlled
 }
 
-/// Whether a finding is about a limit of -1, which SDF reads as none. Controllers take it as it is.
-fn stands_for_no_limit(finding: &Finding) -> bool {
-    finding.rule == named::JOINT_LIMIT_NEGATIVE && finding.severity == Severity::Warning
+/// Whether a finding is about a limit that only controllers keep: a soft one, or one of -1, which SDF reads as none.
+fn is_for_controllers(finding: &Finding) -> bool {
+    finding.rule == named::SAFETY_LIMITS_OUTSIDE_LIMITS
+        || finding.rule == named::JOINT_LIMIT_NEGATIVE && finding.severity == Severity::Warning
 }
 
 /// Whether a finding is an error for whoever loads the file at all, whatever it is used for: xacro or a parser stops, or a file is

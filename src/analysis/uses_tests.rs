@@ -487,3 +487,54 @@ fn arguments_that_are_keys_of_yaml() {
         Some(Severity::Error)
     );
 }
+
+#[test]
+fn what_only_controllers_read() {
+    let joint = "<joint name='a' type='revolute'><parent link='base'/><child link='tip'/><axis xyz='0 0 1'/>\
+                 <limit lower='0' upper='1' effort='9' velocity='1'/><safety_controller soft_lower_limit='-0.5' soft_upper_limit='1' k_velocity='1'/></joint>";
+    let robot = format!("<robot name='arm'><link name='base'/><link name='tip'/>{joint}</robot>");
+    let of = |starts: &str| {
+        let launch = format!("<param textfile='$(find arm)/urdf/arm.urdf'/>{starts}");
+        let files = [
+            MANIFEST,
+            ("urdf/arm.urdf", robot.as_str()),
+            ("launch/arm.launch", &launch),
+        ];
+        severity("safety-limits-outside-limits", &files)
+    };
+    let (plans, controls, simulates) = (
+        "<node pkg='moveit_ros_move_group'/>",
+        "<node pkg='controller_manager'/>",
+        "<node pkg='gazebo_ros'/>",
+    );
+    assert_eq!(of(plans), Some(Severity::Info));
+    assert_eq!(of(simulates), Some(Severity::Info));
+    assert_eq!(of(controls), Some(Severity::Warning));
+    // others may control what is only shown here
+    assert_eq!(of(""), Some(Severity::Warning));
+}
+
+#[test]
+fn robots_for_gazebo_that_nothing_here_simulates() {
+    let robot = "<robot name='arm'><link name='base'><inertial><mass value='1'/>\
+                 <inertia ixx='0' ixy='0' ixz='0' iyy='0' iyz='0' izz='0'/></inertial></link>\
+                 <gazebo><plugin name='p' filename='libgazebo_ros_p3d.so'/></gazebo></robot>";
+    let of = |starts: &str| {
+        let launch = format!("<param textfile='$(find arm)/urdf/arm.urdf'/>{starts}");
+        let files = [
+            MANIFEST,
+            ("urdf/arm.urdf", robot),
+            ("launch/arm.launch", &launch),
+        ];
+        severity("zero-inertia", &files)
+    };
+    assert_eq!(of(""), Some(Severity::Warning));
+    assert_eq!(
+        of("<node pkg='gazebo_ros' type='spawn_model'/>"),
+        Some(Severity::Warning)
+    );
+    assert_eq!(
+        of("<node pkg='moveit_ros_move_group'/>"),
+        Some(Severity::Info)
+    );
+}

@@ -141,6 +141,9 @@ impl Symbols {
         others: &Self,
         (definitions, uses, conditional): (usize, usize, usize),
     ) {
+        // items behind an edit are mostly left out: in the end there are about as many as before
+        self.known.reserve(others.definitions.len());
+        self.seen.reserve(others.uses.len());
         for (id, given) in others.definitions.iter_ids().take(definitions) {
             self.known.insert((given.place, given.name.clone()), id);
             self.definitions.push(given.clone());

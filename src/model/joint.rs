@@ -1,4 +1,5 @@
 //! Joints: types, axes, limits, dynamics, mimic.
+use std::sync::OnceLock;
 
 use ecow::EcoString;
 
@@ -84,6 +85,19 @@ pub struct Axis {
     pub element: XId,
     /// Its direction in the joint's frame; unit length is expected, 1 0 0 is the default.
     pub xyz: Option<AttrValue>,
+    /// The same as numbers: many rules ask for it.
+    direction: OnceLock<Option<[f64; 3]>>,
+}
+
+impl Axis {
+    /// Its direction; none when it is no known vector.
+    fn direction(&self) -> Option<[f64; 3]> {
+        let read = || {
+            let xyz = self.xyz.as_ref();
+            xyz.map_or(Some(Joint::DEFAULT_AXIS), AttrValue::numbers)
+        };
+        *self.direction.get_or_init(read)
+    }
 }
 
 /// A `limit`: radians or meters, N m or N, rad/s or m/s.
@@ -191,6 +205,8 @@ impl SafetyController {
 }
 
 impl Joint {
+    const DEFAULT_AXIS: [f64; 3] = [1.0, 0.0, 0.0];
+
     pub(super) fn of(tree: &XTree, element: XId) -> Self {
         const NAMES: [&str; 8] = [
             "parent",
@@ -217,6 +233,7 @@ impl Joint {
             axis: axis.map(|axis| Axis {
                 element: axis,
                 xyz: AttrValue::attr(tree, axis, "xyz"),
+                direction: OnceLock::new(),
             }),
             limit: limit.map(|limit| Limit::of(tree, limit)),
             dynamics: dynamics.map(|dynamics| Box::new(Dynamics::of(tree, dynamics))),
@@ -252,7 +269,7 @@ impl Joint {
 
     /// Its axis in its own frame, 1 0 0 where none is written; none when it is no known vector.
     pub fn axis(&self) -> Option<[f64; 3]> {
-        let text = self.axis.as_ref().and_then(|axis| axis.xyz.as_ref());
-        text.map_or(Some([1.0, 0.0, 0.0]), AttrValue::numbers)
+        let axis = self.axis.as_ref();
+        axis.map_or(Some(Self::DEFAULT_AXIS), Axis::direction)
     }
 }

@@ -10,6 +10,8 @@ use base::limits::CALLER_BYTES;
 /// Without Iron, whose name is a word of workshops.
 const BEFORE_JAZZY: [&str; 3] = ["foxy", "galactic", "humble"];
 const SINCE_JAZZY: [&str; 4] = ["jazzy", "kilted", "lyrical", "rolling"];
+/// What the name of a file begins with that describes a container.
+const CONTAINER: &str = "Dockerfile";
 /// Folders of a repository in which builds and tests are described.
 const FOLDERS: [&str; 4] = ["", "docker", ".docker", ".github/workflows"];
 
@@ -23,20 +25,26 @@ impl Packages {
         let Some(package) = self.containing(file) else {
             return false;
         };
-        let of_package = self.names_distributions(&package.folder);
-        let of_repository = || self.names_distributions(&self.sources_around(file)?);
-        of_package
+        // what it is run in says more than pages, which also tell of plans
+        let is_container = |path: &PathBuf| name_of(path).starts_with(CONTAINER);
+        let all = |_: &PathBuf| true;
+        let of_package = || self.names_distributions(&package.folder, all);
+        let top = self.sources_around(file);
+        let in_container = || self.names_distributions(top.as_ref()?, is_container);
+        let of_repository = || self.names_distributions(top.as_ref()?, all);
+        in_container()
+            .or_else(of_package)
             .or_else(of_repository)
             .is_some_and(|is_new| !is_new)
     }
 
-    /// Whether the pages below a folder name a distribution since Jazzy; none when they name no distribution.
-    fn names_distributions(&self, top: &Path) -> Option<bool> {
+    /// Whether the pages below a folder that count name a distribution since Jazzy; none when they name no distribution.
+    fn names_distributions(&self, top: &Path, counts: impl Fn(&PathBuf) -> bool) -> Option<bool> {
         let (mut is_old, mut is_new) = (false, false);
-        for path in FOLDERS
+        let pages = FOLDERS
             .iter()
-            .flat_map(|folder| self.pages_in(&top.join(folder)))
-        {
+            .flat_map(|folder| self.pages_in(&top.join(folder)));
+        for path in pages.filter(counts) {
             let Ok(file) = self.vfs.text(&path) else {
                 continue;
             };
@@ -65,11 +73,16 @@ impl Packages {
     }
 }
 
+fn name_of(path: &Path) -> &str {
+    let name = path.file_name().and_then(|name| name.to_str());
+    name.unwrap_or_default()
+}
+
 /// Whether a file of that name may say what a package is built and tested with.
 fn tells_how_built(name: &str) -> bool {
     const ENDINGS: [&str; 7] = ["md", "rst", "txt", "sh", "yml", "yaml", "repos"];
     let ending = name.rsplit_once('.').map_or("", |(_, ending)| ending);
-    name == MANIFEST || name.starts_with("Dockerfile") || ENDINGS.contains(&ending)
+    name == MANIFEST || name.starts_with(CONTAINER) || ENDINGS.contains(&ending)
 }
 
 #[cfg(test)]

@@ -59,7 +59,18 @@ impl Packages {
     /// Whether a folder is marked to be passed over by the tool that builds the package of a file.
     fn is_marked(&self, entries: &[DirEntry], file: &Path) -> bool {
         has(entries, CATKIN_MARK) && self.is_for_catkin(file)
-            || COLCON_MARKS.iter().any(|mark| has(entries, mark)) && !self.is_for_catkin(file)
+            || COLCON_MARKS.iter().any(|mark| has(entries, mark))
+                && (!self.is_for_catkin(file) || self.is_beside_ament(file))
+    }
+
+    /// Whether other packages of the sources around a file are for ROS 2: colcon builds all of them.
+    fn is_beside_ament(&self, file: &Path) -> bool {
+        let Some(top) = self.sources_around(file) else {
+            return false;
+        };
+        let mut packages = self.below(&top).into_iter();
+        packages
+            .any(|(_, folder)| self.generation(&folder.join(MANIFEST)) == Some(RosVersion::Ros2))
     }
 
     fn is_for_catkin(&self, file: &Path) -> bool {

@@ -339,11 +339,11 @@ pub(super) fn unknown(
     severity: Severity,
     message: String,
 ) {
-    let report = out
-        .report(text.origin, message)
-        .group(Group::Name(text.value.clone()));
-    report
-        .severity(severity)
-        .help(cx.advice(kind, &text.value))
-        .done();
+    let advice = cx.advice(kind, &text.value);
+    let group = match advice.similar {
+        Some(_) => Group::Name(text.value.clone()),
+        None => Group::OtherRobot,
+    };
+    let report = out.report(text.origin, message).group(group);
+    report.severity(severity).help(advice).done();
 }

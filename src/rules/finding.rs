@@ -1,5 +1,5 @@
 //! What a rule has to say.
-use ecow::EcoString;
+use ecow::{EcoString, EcoVec};
 
 use super::grouping::Group;
 use super::rule::{Rule, Safety, Severity};
@@ -25,8 +25,9 @@ pub struct Finding {
     pub similar: Option<String>,
     /// Edits that fix it.
     pub fix: Option<Fix>,
-    /// The macro calls in which it holds, when the text that is wrong stands in the body of a macro.
-    pub call_sites: Vec<CallSite>,
+    /// The macro calls in which it holds, when the text that is wrong stands in the body of a macro. There may be
+    /// thousands, and findings are copied for each report.
+    pub call_sites: EcoVec<CallSite>,
     /// Whether it holds in some calls of that macro only, because the text reads differently in others.
     pub partial: bool,
     /// What expansion reported, where the finding comes from it.
@@ -50,7 +51,7 @@ pub struct CallSite {
     pub name: EcoString,
     /// What the call passes, when the text that is wrong is a parameter and nothing else.
     pub argument: Option<Span>,
-    /// What there is to say about this call. Findings are copied for each report, and some are in thousands of calls.
+    /// What there is to say about this call.
     pub message: EcoString,
     /// What to do here.
     pub help: Option<EcoString>,
@@ -68,7 +69,7 @@ impl Finding {
             help: None,
             similar: None,
             fix: None,
-            call_sites: Vec::new(),
+            call_sites: EcoVec::new(),
             partial: false,
             problem: None,
             outside: None,
@@ -141,7 +142,9 @@ fn without_placeholders(message: String) -> String {
         "ros2_control",
         "transmission",
     ];
-    if !message.contains('?') && !message.contains("``") {
+    // most messages name things, and there may be one for each link of a robot
+    let follows = |(at, _)| message.as_bytes().get(at + 1) == Some(&b'`');
+    if !message.contains('?') && !message.match_indices('`').any(follows) {
         return message;
     }
     let mut text = String::with_capacity(message.len());

@@ -10,6 +10,8 @@ pub enum Group {
     Text,
     /// The file: a habit of its author, or of the program that wrote it.
     File,
+    /// The file, where many names in it resemble none of the robot: it is for another one.
+    OtherRobot,
     /// A name, in one file.
     Name(EcoString),
     /// A value, in any file: a tensor that was copied, a package that is not declared.
@@ -21,10 +23,11 @@ pub enum Group {
 impl Group {
     /// How many places make a group. Of two, both are shown, unless what is wrong is neither of them.
     pub fn least(&self) -> usize {
-        if matches!(self, Group::Thing(_)) {
-            2
-        } else {
-            3
+        match self {
+            Group::Thing(_) => 2,
+            // a few names may each be wrong for a reason of its own
+            Group::OtherRobot => 5,
+            _ => 3,
         }
     }
 }

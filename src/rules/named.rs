@@ -13,6 +13,12 @@ pub const CONTROLLER_WITHOUT_PARAMETERS: &Rule = &control::controller_without_pa
 pub const KINEMATICS_UNKNOWN_GROUP: &Rule = &moveit::kinematics_unknown_group::RULE;
 /// `moveit-unknown-controller`
 pub const MOVEIT_UNKNOWN_CONTROLLER: &Rule = &moveit::moveit_unknown_controller::RULE;
+/// `srdf-unknown-group`
+pub const SRDF_UNKNOWN_GROUP: &Rule = &srdf::srdf_unknown_group::RULE;
+/// `safety-limits-outside-limits`
+pub const SAFETY_LIMITS_OUTSIDE_LIMITS: &Rule = &joint::safety_limits_outside_limits::RULE;
+/// `srdf-robot-name`
+pub const SRDF_ROBOT_NAME: &Rule = &srdf::srdf_robot_name::RULE;
 /// `srdf-unknown-link`
 pub const SRDF_UNKNOWN_LINK: &Rule = &srdf::srdf_unknown_link::RULE;
 /// `transmission-unknown-joint`

@@ -283,6 +283,9 @@ fn severity(
         ProblemKind::IncludeChildrenIgnored => {
             include_children_ignored::severity(problem, document)
         }
+        ProblemKind::IncludeNotFound if include_not_found::is_of_caller(problem, document) => {
+            Severity::Info
+        }
         // xacro does not read the body of a macro that nothing calls
         ProblemKind::InvalidExpression if problem.probed => Severity::Warning,
         _ => rule.severity,

@@ -18,7 +18,7 @@ pub struct Sink<'a> {
     rule: &'static Rule,
     /// Whether what is reported is in a macro that nothing calls.
     probed: bool,
-    drafts: Vec<FindingBuilder>,
+    stored: Vec<StoredFinding>,
     by_place: FastMap<(&'static str, Span), usize>,
     /// How often something was reported.
     reported: usize,
@@ -26,20 +26,27 @@ pub struct Sink<'a> {
     counts: FastMap<&'static str, usize>,
 }
 
-/// A finding in the making.
-pub(super) struct FindingBuilder {
+/// A finding in the making. It is handed on at each step, and is large.
+struct Draft {
+    finding: Finding,
+    /// The text that is wrong, each time: in the body of a macro, in each call that leads there.
+    instances: Vec<Origin>,
+}
+
+/// What was reported at a place, by one or several expansions of its text.
+struct StoredFinding {
     finding: Finding,
     calls: RelatedCalls,
-    /// The text in the body of a macro that is wrong, each time.
     instances: Vec<Origin>,
-    /// The calls among those that an editor may show it at.
-    sites: FastSet<Span>,
+    call_sites: Vec<CallSite>,
+    /// The calls of these, once there are several.
+    called: FastSet<Span>,
 }
 
 /// Adds to a finding.
 pub struct Reported<'s, 'a> {
     sink: &'s mut Sink<'a>,
-    draft: FindingBuilder,
+    draft: Box<Draft>,
 }
 
 impl<'a> Sink<'a> {
@@ -48,7 +55,7 @@ impl<'a> Sink<'a> {
             expansion,
             rule,
             probed: false,
-            drafts: Vec::new(),
+            stored: Vec::new(),
             by_place: FastMap::default(),
             reported: 0,
             counts: FastMap::default(),
@@ -72,29 +79,20 @@ impl<'a> Sink<'a> {
 
     /// The findings, with their calls behind the other related places.
     pub(super) fn finish(self) -> Vec<Finding> {
-        let finish = |draft: FindingBuilder| {
-            let FindingBuilder {
-                mut finding,
-                calls,
-                instances,
-                sites: _,
-            } = draft;
-            finding.partial = depends_on_parameter(self.expansion, &instances);
-            calls.list_in(&mut finding);
+        let finish = |stored: StoredFinding| {
+            let mut finding = stored.finding;
+            finding.partial = depends_on_parameter(self.expansion, &stored.instances);
+            finding.call_sites = stored.call_sites.into();
+            stored.calls.list_in(&mut finding);
             finding
         };
-        self.drafts.into_iter().map(finish).collect()
+        self.stored.into_iter().map(finish).collect()
     }
 
     /// Report a defect at `origin`; [`Reported::done`] completes it.
     pub fn report(&mut self, origin: Origin, message: impl Into<String>) -> Reported<'_, 'a> {
-        let span = self.span_of(origin);
-        let calls = self.calls(origin);
-        let mut report = self.draft(
-            span.unwrap_or_else(|| self.nowhere()),
-            calls,
-            message.into(),
-        );
+        let span = self.span_of(origin).unwrap_or_else(|| self.nowhere());
+        let mut report = self.draft(span, message.into());
         report.draft.instances.push(origin);
         report
     }
@@ -112,86 +110,46 @@ impl<'a> Sink<'a> {
         message: impl Into<String>,
     ) -> Reported<'_, 'a> {
         let span = self.span(FileRange { file, range });
-        self.draft(
-            span.unwrap_or_else(|| self.nowhere()),
-            Vec::new(),
-            message.into(),
-        )
+        self.draft(span.unwrap_or_else(|| self.nowhere()), message.into())
     }
 
     /// Report a defect in a file that need not belong to the expansion.
     pub fn report_span(&mut self, span: Span, message: impl Into<String>) -> Reported<'_, 'a> {
-        self.draft(span, Vec::new(), message.into())
+        self.draft(span, message.into())
     }
 
-    fn draft(&mut self, span: Span, calls: Vec<Related>, message: String) -> Reported<'_, 'a> {
+    fn draft(&mut self, span: Span, message: String) -> Reported<'_, 'a> {
         let finding = Finding {
             probed: self.probed,
             ..Finding::new(self.rule, span, message)
         };
-        let mut draft = FindingBuilder {
+        let draft = Box::new(Draft {
             finding,
-            calls: RelatedCalls::default(),
             instances: Vec::new(),
-            sites: FastSet::default(),
-        };
-        draft.calls.add(calls);
+        });
         Reported { draft, sink: self }
     }
 
-    /// The call of the macro whose text stands at `origin`.
-    fn call_site(&self, origin: Origin, finding: &Finding) -> Option<CallSite> {
-        let mut frames = self
-            .expansion
-            .frames_of(origin)
-            .filter(|frame| frame.kind != FrameKind::Include);
-        let frame = frames
-            .next()
-            .filter(|frame| frame.kind == FrameKind::Macro)?;
-        Some(CallSite {
-            call: self.span_of(frame.call)?,
-            name: frame.name.clone(),
-            argument: self.argument(origin),
-            message: finding.message.as_str().into(),
-            help: finding.help.as_deref().map(EcoString::from),
-        })
-    }
-
-    fn push(&mut self, mut draft: FindingBuilder) {
+    fn push(&mut self, draft: Draft) {
         self.reported += 1;
-        let call_sites: Vec<CallSite> = draft
-            .instances
-            .iter()
-            .filter_map(|&origin| self.call_site(origin, &draft.finding))
-            .collect();
-        draft.finding.call_sites = call_sites;
-        let key = (draft.finding.rule.code, draft.finding.span);
-        match self
-            .by_place
-            .get(&key)
-            .and_then(|&i| self.drafts.get_mut(i))
-        {
-            Some(old) => {
-                old.calls.join(draft.calls);
-                old.instances.extend(draft.instances);
-                for site in draft.finding.call_sites {
-                    let sites = &mut old.finding.call_sites;
-                    if old.sites.is_empty() {
-                        old.sites.extend(sites.iter().map(|known| known.call));
-                    }
-                    if sites.len() < MOST_CALL_SITES && old.sites.insert(site.call) {
-                        sites.push(site);
-                    }
-                }
+        let Draft { finding, instances } = draft;
+        let key = (finding.rule.code, finding.span);
+        let known = self.by_place.get(&key);
+        if let Some(stored) = known.and_then(|&place| self.stored.get_mut(place)) {
+            for origin in instances {
+                stored.add(self.expansion, origin, Some(&finding));
             }
-            None => {
-                let count = self.counts.entry(key.0).or_default();
-                *count += 1;
-                if *count <= FINDINGS_OF_A_RULE {
-                    self.by_place.insert(key, self.drafts.len());
-                    self.drafts.push(draft);
-                }
+            return;
+        }
+        let count = self.counts.entry(key.0).or_default();
+        *count += 1;
+        if *count <= FINDINGS_OF_A_RULE {
+            self.by_place.insert(key, self.stored.len());
+            let mut stored = StoredFinding::of(finding);
+            for origin in instances {
+                stored.add(self.expansion, origin, None);
             }
+            self.stored.push(stored);
         }
     }
 
@@ -214,9 +172,53 @@ impl<'a> Sink<'a> {
     fn span_of(&self, origin: Origin) -> Option<Span> {
         span_of(self.expansion, origin)
     }
+}
 
-    fn calls(&self, origin: Origin) -> Vec<Related> {
-        calls(self.expansion, origin)
+impl StoredFinding {
+    fn of(finding: Finding) -> Self {
+        Self {
+            finding,
+            calls: RelatedCalls::default(),
+            instances: Vec::new(),
+            call_sites: Vec::new(),
+            called: FastSet::default(),
+        }
+    }
+
+    /// Add an instance of the text, of which something else may be said than of the first one.
+    fn add(&mut self, expansion: &Expansion, origin: Origin, said: Option<&Finding>) {
+        self.instances.push(origin);
+        self.calls.add(expansion, frames(expansion, origin));
+        if self.call_sites.len() >= MOST_CALL_SITES {
+            return;
+        }
+        let innermost = frames(expansion, origin).next();
+        let frame = innermost.filter(|frame| frame.kind == FrameKind::Macro);
+        let call = frame.and_then(|frame| Some((frame, span_of(expansion, frame.call)?)));
+        let Some((frame, call)) = call.filter(|&(_, call)| self.is_new(call)) else {
+            return;
+        };
+        let said = said.unwrap_or(&self.finding);
+        self.call_sites.push(CallSite {
+            call,
+            name: frame.name.clone(),
+            argument: blamed_argument(expansion, origin)
+                .and_then(|argument| span_of(expansion, argument)),
+            message: said.message.as_str().into(),
+            help: said.help.as_deref().map(EcoString::from),
+        });
+    }
+
+    /// Whether no instance is in this call yet; now one is.
+    fn is_new(&mut self, call: Span) -> bool {
+        if self.call_sites.is_empty() {
+            return true;
+        }
+        if self.called.is_empty() {
+            self.called
+                .extend(self.call_sites.iter().map(|site| site.call));
+        }
+        self.called.insert(call)
     }
 }
 
@@ -229,8 +231,6 @@ impl Reported<'_, '_> {
             return self;
         };
         if span == self.draft.finding.span {
-            let calls = self.sink.calls(origin);
-            self.draft.calls.add(calls);
             self.draft.instances.push(origin);
         } else {
             let message = message.into();
@@ -288,7 +288,8 @@ impl Reported<'_, '_> {
     /// With advice.
     #[must_use]
     pub fn help(mut self, help: impl Into<Help>) -> Self {
-        self.draft.finding = self.draft.finding.advised(help);
+        let Help { text, similar } = help.into();
+        (self.draft.finding.help, self.draft.finding.similar) = (Some(text), similar);
         self
     }
 
@@ -349,7 +350,7 @@ impl Reported<'_, '_> {
 
     /// The finding is complete.
     pub fn done(self) {
-        self.sink.push(self.draft);
+        self.sink.push(*self.draft);
     }
 }
 
@@ -367,21 +368,24 @@ pub fn span_of(expansion: &Expansion, origin: Origin) -> Option<Span> {
     span(expansion, expansion.place(origin)?)
 }
 
+/// The steps that led to `origin`, innermost first, but for includes.
+fn frames(expansion: &Expansion, origin: Origin) -> impl Iterator<Item = &Frame> {
+    let frames = expansion.frames_of(origin);
+    frames.filter(|frame| frame.kind != FrameKind::Include)
+}
+
 /// The macro calls and inserted blocks that led to `origin`, innermost first.
 pub fn calls(expansion: &Expansion, origin: Origin) -> Vec<Related> {
-    let steps = expansion
-        .frames_of(origin)
-        .filter(|frame| frame.kind != FrameKind::Include);
-    steps
-        .filter_map(|frame| {
-            let span = span_of(expansion, frame.call)?;
-            Some(Related {
-                span,
-                message: call_message(frame),
-                is_call: true,
-            })
-        })
-        .collect()
+    let related = |frame: &Frame| Some(related(frame, span_of(expansion, frame.call)?));
+    frames(expansion, origin).filter_map(related).collect()
+}
+
+fn related(frame: &Frame, span: Span) -> Related {
+    Related {
+        span,
+        message: call_message(frame),
+        is_call: true,
+    }
 }
 
 fn call_message(frame: &Frame) -> String {
@@ -407,20 +411,17 @@ struct RelatedCalls {
 
 impl RelatedCalls {
     /// Add those that are not among them yet.
-    fn add(&mut self, calls: impl IntoIterator<Item = Related>) {
-        for call in calls {
+    fn add<'f>(&mut self, expansion: &Expansion, frames: impl Iterator<Item = &'f Frame>) {
+        for frame in frames {
+            let Some(span) = span_of(expansion, frame.call) else {
+                continue;
+            };
             let mut hasher = rustc_hash::FxHasher::default();
-            (call.span, &call.message).hash(&mut hasher);
+            (span, frame.kind as u8, &frame.name).hash(&mut hasher);
             if self.seen.insert(hasher.finish()) && self.first.len() < MOST_CALLS {
-                self.first.push(call);
+                self.first.push(related(frame, span));
             }
         }
-    }
-
-    /// Add those of another way to the same place.
-    fn join(&mut self, other: Self) {
-        self.add(other.first);
-        self.seen.extend(other.seen);
     }
 
     fn list_in(self, finding: &mut Finding) {

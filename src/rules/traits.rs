@@ -64,12 +64,14 @@ static CONTACT: [&Rule; 2] = [
     &geometry::mesh_inconsistent_normals::RULE,
 ];
 
-static SIMULATION: [&Rule; 2] = [
+static SIMULATION: [&Rule; 3] = [
+    &control::gazebo_link_settings_on_joint::RULE,
     &control::gazebo_unknown_reference::RULE,
     &joint::mimic_range_exceeds_limits::RULE,
 ];
 
-static GAZEBO: [&Rule; 4] = [
+static GAZEBO: [&Rule; 5] = [
+    &control::gazebo_link_settings_on_joint::RULE,
     &control::gazebo_unknown_reference::RULE,
     &control::plugin_file_not_found::RULE,
     &control::plugin_unknown_joint::RULE,

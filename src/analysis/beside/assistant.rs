@@ -37,7 +37,7 @@ impl Session {
             return Vec::new();
         };
         // the assistant itself asks for another file
-        let is_needed = || self.callers.build_for_moveit(&own.path);
+        let is_needed = || self.callers.build_package_for_moveit(&own.path);
         let mut found = Vec::new();
         if let (Some(srdf), Some(package)) = (&assistant.srdf, &package)
             && self.is_not_there(&package.folder.join(srdf.name.as_str()))

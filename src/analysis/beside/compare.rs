@@ -18,8 +18,9 @@ use packages::RosVersion;
 use project::Srdf;
 use rules::{
     BesideContent, Chosen, Finding, PairedRobot, RobotNames, all, check_beside, has_ignored_tags,
-    is_whole,
+    is_whole, named,
 };
+use vfs::SourceFile;
 
 /// What a comparison of files with their robots gave.
 #[derive(Default)]
@@ -121,12 +122,38 @@ impl Session {
             if !said.is_empty() && paired.robots.iter().any(has_ignored) {
                 said = self.check_names(&own, &Paired::default(), &around, cancel);
             }
+            said.retain(|finding| !self.is_group_of_includer(path, finding));
             found.findings.extend(said);
             if !paired.robots.is_empty() {
                 found.files.push(path.clone());
             }
         }
         found
+    }
+
+    /// Whether a finding is about a group that a part of an SRDF lacks, and what includes the part has.
+    fn is_group_of_includer(&self, part: &Path, finding: &Finding) -> bool {
+        if finding.rule != named::SRDF_UNKNOWN_GROUP {
+            return false;
+        }
+        let text = |source: Arc<SourceFile>| source.document.slice(finding.span.range);
+        let Ok(group) = self.vfs.document(part).map(text) else {
+            return false;
+        };
+        let gives = |file: &PathBuf| {
+            let source = self.vfs.document(file);
+            source.is_ok_and(|source| {
+                let mut nodes = source
+                    .document
+                    .parts()
+                    .flat_map(|(_, item)| item.all_nodes());
+                nodes.any(|node| {
+                    node.name() == "group"
+                        && node.attr("name").is_some_and(|name| name.raw() == group)
+                })
+            })
+        };
+        self.includers(part).iter().any(gives)
     }
 
     fn beside_once(

@@ -16,6 +16,7 @@ use super::files::{Sort, sort};
 use super::paired::{MOST_ROBOTS, Pairing};
 use base::FastSet;
 use facts::{Fact, FactKind, facts_of, parts_where};
+use project::{Assistant, SpannedName};
 use workspace::{RobotCall, has_name};
 
 impl Session {
@@ -128,6 +129,9 @@ impl Session {
         {
             return None;
         }
+        if path != file && self.names_another_srdf(assistant, &package.folder) {
+            return None;
+        }
         let (name, urdf) = (assistant.package.as_ref()?, assistant.urdf.as_ref()?);
         let folder = self.packages.find(&name.name, path).ok()?.path;
         let file = self
@@ -135,6 +139,14 @@ impl Session {
             .present(&folder.join(urdf.name.as_str()))
             .into_owned();
         let file = vfs::without_parents(&self.vfs.absolute(&file));
+        let srdf = assistant
+            .srdf
+            .as_ref()
+            .map_or("", |srdf| srdf.name.as_str());
+        let wrappers = self.wrappers(&package.folder, srdf);
+        if !wrappers.is_empty() {
+            return Pairing::named(wrappers);
+        }
         let file = self.extended(&package.folder).unwrap_or(file);
         let root = RootConfig {
             args: assistant.given(),
@@ -142,12 +154,24 @@ impl Session {
         };
         // what the assistant was given once may have given way to others
         let loaded = self.loaded_in(&package.folder, path);
+        let mut same = loaded.iter().filter(|other| other.file == file).peekable();
         let mut roots = vec![root];
-        if !loaded.iter().any(|other| other.file == file) {
+        if same.peek().is_none() {
             roots.extend(loaded);
-            roots.truncate(MOST_ROBOTS);
+        } else if assistant.given().is_empty() && same.all(|other| !other.args.is_empty()) {
+            // nobody takes its defaults
+            roots = loaded;
         }
+        roots.truncate(MOST_ROBOTS);
         self.vfs.is_file(&file).then(|| Pairing::named(roots))?
+    }
+
+    /// Whether the assistant names an SRDF that is not there while the package has another one: it was copied with the package.
+    fn names_another_srdf(&self, assistant: &Assistant, package: &Path) -> bool {
+        let is_gone = |srdf: &SpannedName| !self.vfs.is_file(&package.join(srdf.name.as_str()));
+        let is_other = |file: &PathBuf| sort(file) == Some(Sort::Srdf) && file.starts_with(package);
+        assistant.srdf.as_ref().is_some_and(is_gone)
+            && self.beside_around(&package.join("_")).iter().any(is_other)
     }
 
     /// The robots that launch files of a package load.
@@ -175,6 +199,25 @@ impl Session {
             .filter(|entry| !entry.is_dir && entry.name.ends_with(".urdf.xacro"));
         let only = own.next().filter(|_| own.next().is_none())?;
         Some(config.join(&only.name)).filter(|file| self.is_robot(file))
+    }
+
+    /// The robots in `config` of a package that have the name of its SRDF, where there are several: for left and right hands, say.
+    fn wrappers(&self, package: &Path, srdf: &str) -> Vec<RootConfig> {
+        let config = package.join("config");
+        let name = self.robot_name(&package.join(srdf));
+        let names = self.vfs.list_dir(&config);
+        let files = names
+            .iter()
+            .filter(|entry| !entry.is_dir && entry.name.ends_with(".urdf.xacro"))
+            .map(|entry| config.join(&entry.name));
+        let mut found: Vec<PathBuf> = files
+            .filter(|file| name.is_some() && self.robot_name(file) == name)
+            .collect();
+        found.truncate(MOST_ROBOTS);
+        if found.len() < 2 {
+            found.clear();
+        }
+        found.iter().map(|by| RootConfig::plain(by)).collect()
     }
 
     /// The robots with a plugin that names the file, and its folder where that is asked for.
@@ -311,6 +354,7 @@ impl Session {
             beside
         };
         let mut roots: Vec<RootConfig> = found.iter().flat_map(|file| self.ways_of(file)).collect();
+        roots.extend(self.loaded_namesakes(path, &roots));
         roots.truncate(MOST_ROBOTS);
         Pairing {
             roots,
@@ -318,14 +362,37 @@ impl Session {
         }
     }
 
+    /// The robots elsewhere whose name an SRDF says and that launch files of its package load; others are known already.
+    fn loaded_namesakes(&self, path: &Path, known: &[RootConfig]) -> Vec<RootConfig> {
+        let (Some(package), Some(name)) = (self.packages.containing(path), self.robot_name(path))
+        else {
+            return Vec::new();
+        };
+        let mut loaded = self.loaded_in(&package.folder, path);
+        loaded.retain(|root| {
+            self.robot_name(&root.file).as_ref() == Some(&name)
+                && !known.iter().any(|one| one.file == root.file)
+        });
+        loaded
+    }
+
     /// The robots whose name an SRDF says.
     fn of_the_robot_name<'a>(&self, path: &Path, all: &'a [PathBuf]) -> Vec<&'a PathBuf> {
         let Some(name) = self.robot_name(path) else {
             return Vec::new();
         };
-        let is_it =
-            |file: &&PathBuf| self.is_robot(file) && self.robot_name(file).as_ref() == Some(&name);
+        let is_it = |file: &&PathBuf| {
+            self.robot_name(file).as_ref() == Some(&name)
+                && (self.is_robot(file) || sort(file).is_none() && self.collects(file))
+        };
         all.iter().filter(is_it).collect()
+    }
+
+    /// Whether launch files load a robot whose name an SRDF says: it may be the one that they load with the SRDF.
+    pub(in super::super) fn is_named_as_launched(&self, path: &Path) -> bool {
+        let all = self.callers.descriptions(path);
+        let named = self.of_the_robot_name(path, &all);
+        named.into_iter().any(|file| self.callers.launch(file))
     }
 
     /// The robots of the SRDFs in the same package; without any, the robots there.

@@ -17,7 +17,7 @@ pub(super) static RULE: Rule = Rule {
 };
 
 /// What belongs to one link.
-const OF_LINKS: [&str; 12] = [
+pub(super) const OF_LINKS: [&str; 12] = [
     "mu1",
     "mu2",
     "kp",

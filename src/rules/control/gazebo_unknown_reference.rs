@@ -92,6 +92,7 @@ fn severity(cx: &RobotCx<'_>, block: &Gazebo, name: &str) -> Severity {
     let is_meant = holds_device(cx, block) || shares_word(cx, name);
     if is_meant
         && !changes_nothing(cx, block)
+        && !sets_only_self_collision(cx, block)
         && !is_written(cx, name)
         && !is_commented_out(cx, name)
     {
@@ -173,6 +174,13 @@ fn has_own(cx: &RobotCx<'_>, name: &str) -> bool {
         .iter()
         .filter_map(|block| block.reference.as_ref());
     named.any(|text| text.value == name)
+}
+
+/// Whether an element sets whether a link collides with its own robot, and nothing else: which link that is says the name alone.
+fn sets_only_self_collision(cx: &RobotCx<'_>, block: &Gazebo) -> bool {
+    let tree = &cx.expansion.tree;
+    let mut children = tree.elements(block.element);
+    children.all(|child| ["selfCollide", "self_collide"].contains(&tree.get(child).text.as_str()))
 }
 
 /// Whether an element gives a color or keeps a fixed joint or the gravity, and nothing else: without it, nothing behaves

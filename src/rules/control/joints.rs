@@ -2,6 +2,7 @@
 use super::super::context::{DocumentCx, RobotCx};
 use super::super::edits::{rename, source_text};
 use super::super::finding::Help;
+use super::super::grouping::Group;
 use super::super::rule::Severity;
 use super::super::sink::Sink;
 use base::{FastMap, FastSet, TextRange};
@@ -69,6 +70,7 @@ pub(super) fn unknown_joints<'t>(
                 rename(report, cx.expansion, text, near).done();
             }
             None => report
+                .group(Group::OtherRobot)
                 .help("use the full name of a joint of this robot, including its prefix")
                 .done(),
         }

@@ -6,6 +6,7 @@ pub(super) mod controller_unknown_joint;
 mod controller_wheel_mismatch;
 pub(super) mod controller_without_parameters;
 mod gazebo_classic_plugin;
+pub(super) mod gazebo_link_settings_on_joint;
 mod gazebo_lumped_reference;
 mod gazebo_missing_reference;
 mod gazebo_plugin_missing_filename;
@@ -79,4 +80,5 @@ pub(super) static RULES: &[&Rule] = &[
     &ros1_plugin_parameter::RULE,
     &plugin_wheel_mismatch::RULE,
     &controller_wheel_mismatch::RULE,
+    &gazebo_link_settings_on_joint::RULE,
 ];

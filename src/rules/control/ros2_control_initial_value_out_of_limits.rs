@@ -61,7 +61,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                     .name
                     .as_ref()
                     .is_some_and(|name| real.contains(name.value.as_str()));
-                let severity = if is_real || beyond <= NOTHING {
+                let is_limit = [lower, upper].iter().any(|&end| is_rounded(text, end));
+                let severity = if is_real || beyond <= NOTHING || is_limit {
                     Severity::Info
                 } else {
                     RULE.severity
@@ -82,6 +83,14 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             }
         }
     }
+}
+
+/// Whether a number is another one, written with fewer digits.
+fn is_rounded(text: &AttrValue, exact: f64) -> bool {
+    let written = text.value.trim();
+    let digits = written.split_once('.').map(|(_, digits)| digits.len());
+    let rounded = digits.map(|digits| format!("{exact:.digits$}"));
+    rounded.is_some_and(|rounded| rounded == written)
 }
 
 /// The joints of hardware whose plugin is none of those that read initial values.

@@ -61,7 +61,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                 )
             },
         );
-        // all visuals, or all collisions, in one format are a choice
+        // most visuals, or most collisions, in one format are a choice
         let [visuals, collisions] = &common;
         let is_chosen = if mesh.is_collision {
             *collisions
@@ -81,16 +81,17 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     }
 }
 
-/// Whether all visuals, or all collisions, of a robot have one of the other formats.
+/// Whether most visuals, or most collisions, of a robot have one of the other formats.
 fn has_common_format(cx: &DocumentCx<'_>, is_collision: bool) -> bool {
-    let mut endings = cx
+    let endings: Vec<String> = cx
         .meshes()
         .filter(|mesh| mesh.is_collision == is_collision)
-        .map(|mesh| ending(mesh.name()).to_lowercase());
-    let Some(first) = endings.next() else {
-        return false;
-    };
-    OTHER.contains(&first.as_str()) && endings.all(|other| other == first)
+        .map(|mesh| ending(mesh.name()).to_lowercase())
+        .collect();
+    OTHER.iter().any(|format| {
+        let count = endings.iter().filter(|ending| ending == format).count();
+        count * 2 > endings.len()
+    })
 }
 
 /// What follows the last period of a file name; empty without one.

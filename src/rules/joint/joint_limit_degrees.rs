@@ -20,6 +20,9 @@ pub(super) static RULE: Rule = Rule {
 /// Four half turns each way and some: more than any wrist has, in radians.
 const MOST: f64 = 4.0 * std::f64::consts::PI + 0.01;
 
+/// Ranges that end before are a few turns, and no angles that people write in degrees.
+const LEAST_DEGREES: f64 = 30.0;
+
 /// Whether a limit is some half turns of 3.14.
 fn is_in_half_turns(value: f64) -> bool {
     // as people write it, not as it is
@@ -48,10 +51,14 @@ fn is_for_none(cx: &DocumentCx<'_>, limit: &Limit) -> bool {
         && (upper >= LEAST && [upper + 1.0, upper].into_iter().any(is_power) || is_along_a_line())
 }
 
-/// Whether the one large end is the number of the effort as well, which no angle is: both stand for no limit.
+/// Whether the large ends are the number of the effort as well, which no angle is: all stand for no limit. Of two, the number is
+/// none that people write for an angle.
 fn is_filled_in(limit: &Limit, large: &[(&str, &AttrValue, f64)]) -> bool {
+    const ANGLES: f64 = 45.0;
     let effort = limit.effort.as_ref().and_then(AttrValue::number);
-    matches!(large, [(_, _, value)] if effort == Some(value.abs()))
+    let is_effort = |(_, _, value): &(&str, &AttrValue, f64)| effort == Some(value.abs());
+    let is_angle = |(_, _, value): &(&str, &AttrValue, f64)| value % ANGLES == 0.0;
+    large.iter().all(is_effort) && (large.len() == 1 || !large.iter().any(is_angle))
 }
 
 /// Both ends.
@@ -70,7 +77,10 @@ fn check(cx: &DocumentCx<'_>, joint: &Joint, out: &mut Sink<'_>) {
     };
     let ends = [("lower", &limit.lower), ("upper", &limit.upper)];
     let large: Vec<_> = ends.into_iter().filter_map(large).collect();
-    if large.is_empty() || is_for_none(cx, limit) || is_filled_in(limit, &large) {
+    let are_turns = large
+        .iter()
+        .all(|(_, _, value)| value.abs() < LEAST_DEGREES);
+    if are_turns || is_for_none(cx, limit) || is_filled_in(limit, &large) {
         return;
     }
     for (name, text, value) in large {

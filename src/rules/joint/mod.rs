@@ -23,7 +23,7 @@ pub(super) mod missing_joint_limit;
 pub(super) mod missing_limit_attribute;
 mod negative_dynamics;
 mod negative_joint_axis;
-mod safety_limits_outside_limits;
+pub(super) mod safety_limits_outside_limits;
 pub(super) mod unknown_joint_type;
 mod wheel_axis_direction;
 mod wheel_axis_opposed;

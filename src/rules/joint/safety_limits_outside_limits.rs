@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use model::JointType::{Prismatic, Revolute};
 use model::{AttrValue, Joint};
 
-pub(super) static RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "JNT020",
     name: "safety-limits-outside-limits",
     category: Category::Joint,

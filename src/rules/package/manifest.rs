@@ -45,6 +45,8 @@ pub(super) struct Manifest {
     file: FileId,
     /// Packages that come along at run time.
     pub runtime: Vec<String>,
+    /// Packages that are there when it is built.
+    build: Vec<String>,
     /// What comments hold: dependencies that were taken out on purpose, among others.
     comments: Vec<String>,
     /// The tag of the root element, from `<` to the end of its name.
@@ -61,6 +63,11 @@ impl Manifest {
         self.runtime.iter().any(|known| known == package)
     }
 
+    /// Whether a package is declared for the build alone: who builds the package from its sources has it.
+    pub fn builds_with(&self, package: &str) -> bool {
+        self.build.iter().any(|known| known == package)
+    }
+
     /// Whether a comment holds an element with the name of a package: somebody took it out.
     pub fn leaves_out(&self, package: &str) -> bool {
         let element = format!(">{package}<");
@@ -75,11 +82,12 @@ impl Manifest {
         };
         let document = Document::parse_with_options(text, options).ok()?;
         let root = document.root_element();
-        let runtime = root
-            .children()
-            .filter(|node| node.is_element() && RUNTIME.contains(&node.tag_name().name()))
-            .filter_map(|node| Some(node.text()?.trim().to_owned()))
-            .collect();
+        let declared = |tags: &[&str]| -> Vec<String> {
+            root.children()
+                .filter(|node| node.is_element() && tags.contains(&node.tag_name().name()))
+                .filter_map(|node| Some(node.text()?.trim().to_owned()))
+                .collect()
+        };
         let comments = root.descendants().filter(Node::is_comment);
         let comments = comments
             .filter_map(|node| Some(node.text()?.to_owned()))
@@ -95,7 +103,8 @@ impl Manifest {
             name,
             folder,
             file,
-            runtime,
+            runtime: declared(&RUNTIME),
+            build: declared(&["build_depend"]),
             comments,
             root: TextRange::new(start, start + 1 + root.tag_name().name().len() as u32),
             name_range: TextRange::new(name_text.start as u32, name_text.end as u32),

@@ -41,7 +41,9 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
         let (span, content) = manifest.addition(name);
         // what a condition brings in may be optional, and what another dependency brings along is there
         let comes_along = mention.is_conditional || brings(&manifest, cx.world, name);
-        let is_known = manifest.leaves_out(name) || needs(cx, name, &manifest.name);
+        let is_known = manifest.leaves_out(name)
+            || manifest.builds_with(name)
+            || needs(cx, name, &manifest.name);
         let severity = if comes_along || is_known {
             Severity::Info
         } else {

@@ -8,10 +8,10 @@ mod srdf_duplicate_pair;
 mod srdf_incomplete_group_state;
 mod srdf_invalid_chain;
 mod srdf_not_adjacent;
-mod srdf_robot_name;
+pub(super) mod srdf_robot_name;
 mod srdf_state_joint_not_in_group;
 mod srdf_state_out_of_limits;
-mod srdf_unknown_group;
+pub(super) mod srdf_unknown_group;
 mod srdf_unknown_joint;
 pub(super) mod srdf_unknown_link;
 

@@ -3,7 +3,7 @@ use super::super::beside::BesideCx;
 use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 
-pub(super) static RULE: Rule = Rule::beside(
+pub(in super::super) static RULE: Rule = Rule::beside(
     "SRD001",
     "srdf-robot-name",
     Category::Srdf,

@@ -5,7 +5,7 @@ use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 use project::ProjectNameKind;
 
-pub(super) static RULE: Rule = Rule::semantic(
+pub(in super::super) static RULE: Rule = Rule::semantic(
     "SRD004",
     "srdf-unknown-group",
     Category::Srdf,

@@ -25,8 +25,12 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
         else {
             continue;
         };
+        let is_passive = || srdf.passive.iter().any(|joint| std::ptr::eq(joint, text));
         let severity = if name == FREE_FLYER {
             Severity::Info
+        } else if is_passive() {
+            // nothing moves it anyhow
+            Severity::Warning
         } else {
             RULE.severity
         };

@@ -8,6 +8,7 @@ use super::super::rule::{Category, Rule, Safety, Severity, page};
 use base::{Span, TextRange};
 use expand::{Detail, Problem};
 use packages::nearest;
+use xml::Document;
 
 pub(in super::super) static RULE: Rule = Rule::found(
     "XAC008",
@@ -17,6 +18,11 @@ pub(in super::super) static RULE: Rule = Rule::found(
     page("include-not-found"),
 )
 .fixed(Safety::Unsafe);
+
+/// Whether the path starts in the folder in which somebody will run xacro.
+pub(in super::super) fn is_of_caller(problem: &Problem, document: &Document) -> bool {
+    document.slice(problem.place.range).contains("$(cwd)")
+}
 
 /// Many files that are missing in one folder were moved or renamed together.
 pub(in super::super) fn group(problem: &Problem) -> Option<Group> {

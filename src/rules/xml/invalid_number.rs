@@ -3,6 +3,7 @@ use std::ops::Range;
 
 use super::super::context::{DocumentCx, RootKind, is_plain_urdf};
 use super::super::edits::source_text;
+use super::super::grouping::Group;
 use super::super::numbers::rewrite;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
@@ -114,6 +115,8 @@ fn blanks(
             .join(" ");
         let report = out
             .report(text.origin, message)
+            // how somebody breaks lines
+            .group(Group::File)
             .help(format!("write `{spaced}`"));
         rewrite(report, Safety::Unsafe, text, spaced).done();
     }

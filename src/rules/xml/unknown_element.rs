@@ -42,10 +42,29 @@ fn check(cx: &DocumentCx<'_>, element: &CheckedElement, out: &mut Sink<'_>) {
         return; // it is said that the geometry is missing
     }
     let near = walk::meant(name, parent.children().map(|child| child.name));
+    let near = near.or_else(|| Some((former(cx, id, parent)?, false)));
     if cx.kind == RootKind::Library && parent.name == "robot" && near.is_none() {
         return; // the file may be meant for the inside of a free zone
     }
     report(cx, id, parent, near, out);
+}
+
+/// What an element is called now that URDF called otherwise in its first years, unless nothing is lost without it.
+fn former(cx: &DocumentCx<'_>, id: XId, parent: &ElementSpec) -> Option<&'static str> {
+    const FORMER: &str = "joint_properties";
+    const NOW: &str = "dynamics";
+    let tree = &cx.expansion.tree;
+    let joint = tree.parent(id)?;
+    let values = ["damping", "friction"].into_iter();
+    let mut values = values.filter_map(|name| AttrValue::attr(tree, id, name));
+    let is_fixed = tree
+        .attr(joint, "type")
+        .is_some_and(|kind| kind.value == "fixed");
+    let is_there = tree
+        .elements(joint)
+        .any(|child| tree.get(child).text == NOW);
+    let is_lost = !is_fixed && !is_there && values.any(|text| text.number() != Some(0.0));
+    (parent.name == "joint" && tree.get(id).text == FORMER && is_lost).then_some(NOW)
 }
 
 /// The shape without a geometry in an element that may hold many unknown ones.

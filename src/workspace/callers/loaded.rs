@@ -72,6 +72,18 @@ impl Callers {
         self.load_in(file, |caller| caller.is_raisim && !caller.is_bullet)
     }
 
+    /// Whether programs for MATLAB load the description `file`, which looks for meshes where the call says, and nothing else does.
+    pub fn load_in_matlab(&self, file: &Path) -> bool {
+        let all = self.of(file);
+        let is_matlab =
+            |caller: &&Caller| caller.path.extension().is_some_and(|ending| ending == "m");
+        let mut loaders = all
+            .iter()
+            .filter(|caller| caller.says(file) && !caller.is_page())
+            .peekable();
+        loaders.peek().is_some() && loaders.all(|caller| is_matlab(&caller))
+    }
+
     /// Whether all programs that load a description are of a kind, and no launch file does. Where no program names a description
     /// that belongs to no package, those around it count that load others.
     fn load_in(&self, file: &Path, is_of_kind: impl Fn(&Caller) -> bool) -> bool {

@@ -100,6 +100,20 @@ impl Callers {
             .is_none_or(|mentions| mentions.builds_moveit)
     }
 
+    /// Whether a program builds the configuration of MoveIt of the package around a file: one in the package, or that names it.
+    pub fn build_package_for_moveit(&self, file: &Path) -> bool {
+        let package = self.packages.containing(file);
+        let (Some(mentions), Some(package)) = (self.mentions(file), package) else {
+            return true;
+        };
+        let names_it = |path: &Path| mentions.uses(&package.name).any(|by| by == path);
+        let mut builders = mentions
+            .says
+            .iter()
+            .filter(|(_, words)| words.builds_moveit());
+        builders.any(|(path, _)| path.starts_with(&package.folder) || names_it(path))
+    }
+
     /// Whether no text around an SRDF holds its name, and none that runs puts the name of one together.
     pub fn leave_srdf_alone(&self, file: &Path) -> bool {
         self.mentions(file).is_some_and(|mentions| {

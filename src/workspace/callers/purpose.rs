@@ -121,6 +121,16 @@ impl Callers {
         Some(purpose)
     }
 
+    /// Whether a launch file or program around a description needs masses and inertia of one.
+    pub fn simulate_any(&self, file: &Path) -> bool {
+        self.mentions(file).is_some_and(|mentions| {
+            let mut simulators = mentions.simulators();
+            simulators.any(|path| {
+                is_run(path, &self.packages) && !file_names::is_description(name_of(path))
+            })
+        })
+    }
+
     /// Whether a description has something that only Gazebo runs.
     pub fn is_for_gazebo(&self, file: &Path) -> bool {
         self.mentions(file)

@@ -37,7 +37,7 @@ const CLASSIC: u32 = 1 << 15;
 const EXPORTED: u32 = 1 << 16;
 
 /// The words, also as parts of others, and what each of them says.
-const WORDS: [(&str, u32); 59] = [
+const WORDS: [(&str, u32); 61] = [
     ("gazebo", MASSES | TRIANGLES | SIMULATES),
     ("gazebo_ros", CLASSIC),
     ("gzserver", CLASSIC),
@@ -90,6 +90,9 @@ const WORDS: [(&str, u32); 59] = [
     ("hardware_interface::", CONTROLS),
     ("ros_control", CONTROLS),
     ("transmission_interface", CONTROLS),
+    // launch files of MoveIt that run a controller manager
+    ("generate_demo_launch", CONTROLS),
+    ("generate_spawn_controllers_launch", CONTROLS),
     ("spawner", STARTS),
     ("load_controller", STARTS),
     ("switch_controller", STARTS),

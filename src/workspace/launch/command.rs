@@ -174,7 +174,10 @@ pub(super) fn is_xacro(word: &CommandWord) -> bool {
 
 /// Whether a program is xacro.
 pub(super) fn is_xacro_program(program: &str) -> bool {
-    matches!(base_name(program), "xacro" | "xacro.py")
+    // roslaunch takes `$(find xacro)xacro.py` as well
+    let name = base_name(program);
+    let name = name.strip_prefix("$(find xacro)").unwrap_or(name);
+    matches!(name, "xacro" | "xacro.py")
 }
 
 fn base_name(program: &str) -> &str {

@@ -179,5 +179,11 @@ mod tests {
         let conditional =
             node("['0', '0', '0', '0', '0', '0', 'base', 'laser'], condition=IfCondition(own)");
         check_transforms("/ws/a.launch.py", &conditional, &[]);
+        let publisher = node("['0', '0', '0', '0', '0', '0', 'base', 'laser']");
+        let started = format!("tf = {publisher}\nreturn LaunchDescription([tf])\n");
+        let left_out = format!("tf = {publisher}\nreturn LaunchDescription([\n  # tf,\n])\n");
+        let expected = ["base laser [0.0, 0.0, 0.0] [0.0, 0.0, 0.0]"];
+        check_transforms("/ws/a.launch.py", &started, &expected);
+        check_transforms("/ws/a.launch.py", &left_out, &[]);
     }
 }

@@ -5,6 +5,7 @@ use base::TextRange;
 use super::statements::{PythonKeyword, Statement};
 use super::value::PythonValue;
 use super::{PythonFunction, PythonReader};
+use crate::callers::without_comments;
 
 impl<'s> PythonReader<'s> {
     pub(super) fn statement(&mut self, statement: &'s Statement) {
@@ -146,9 +147,14 @@ impl<'s> PythonReader<'s> {
             self.value_at(range);
             return;
         };
+        let published = self.found.transforms.len();
         let value = self.value_at(TextRange::new(range.start + start as u32, range.end));
         // a type behind the name
         let target = target.split(':').next().unwrap_or(target).trim();
+        // what nothing hands on is not started
+        if self.found.transforms.len() > published && self.is_never_read(target) {
+            self.found.transforms.truncate(published);
+        }
         if let Some(operator) = augmented {
             self.augment(target, operator, value);
         } else {
@@ -167,6 +173,12 @@ impl<'s> PythonReader<'s> {
                 .into_iter()
                 .for_each(|target| self.bind(target, value.clone()));
         }
+    }
+
+    /// Whether the text has the name of a variable only once, where it is set.
+    fn is_never_read(&self, target: &str) -> bool {
+        let text = without_comments(".py", self.text);
+        is_name(target) && words(&text).filter(|word| *word == target).count() == 1
     }
 
     fn bind(&mut self, target: &'s str, value: PythonValue) {
