@@ -199,13 +199,21 @@ impl StoredFinding {
             return;
         };
         let said = said.unwrap_or(&self.finding);
+        // most say the same of what to do
+        let known = self.call_sites.last().and_then(|site| site.help.clone());
+        let is_known = said.help.as_deref() == known.as_deref();
+        let help = if is_known {
+            known
+        } else {
+            said.help.as_deref().map(EcoString::from)
+        };
         self.call_sites.push(CallSite {
             call,
             name: frame.name.clone(),
             argument: blamed_argument(expansion, origin)
                 .and_then(|argument| span_of(expansion, argument)),
             message: said.message.as_str().into(),
-            help: said.help.as_deref().map(EcoString::from),
+            help,
         });
     }
 
