@@ -299,6 +299,32 @@ fn a_bare_text_outside_is_refused_and_parameters_are_not() {
 }
 
 #[test]
+fn texts_of_descriptions_are_shown_and_others_have_a_line() {
+    let folder = folder();
+    let part = robot("<link name=\"wheel\"/>\n<joint name=\"axle\" type=\"turning\"/>");
+    for (name, is_shown) in [
+        ("wheel.gazebo", true),
+        ("wheel.XACRO", true),
+        ("wheel.trans", true),
+        ("wheel.key", false),
+    ] {
+        fs::write(folder.join(name), &part).unwrap();
+        let include = format!("<xacro:include filename=\"{name}\"/>");
+        fs::write(folder.join("r.urdf.xacro"), robot(&include)).unwrap();
+        let said = run(
+            &folder,
+            &["check", "r.urdf.xacro", "--select", "unknown-joint-type"],
+        );
+        assert!(said.contains(&format!("{name}:3:")), "{name}: {said}");
+        assert_eq!(
+            said.contains("<joint name=\"axle\""),
+            is_shown,
+            "{name}: {said}"
+        );
+    }
+}
+
+#[test]
 fn python_has_no_way_out() {
     let folder = folder();
     let marker = folder.join("was_here");

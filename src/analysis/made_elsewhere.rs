@@ -21,7 +21,9 @@ impl Session {
         let downloads = || downloads_data(&self.packages, &task.file).then_some(Severity::Info);
         self.lower_where(findings, is_absent, downloads);
         let is_to_be_had = |finding: &Finding| {
-            finding.rule == named::MESH_NOT_FOUND && self.has_only_a_page(&task.file, finding)
+            finding.rule == named::MESH_NOT_FOUND
+                && (self.has_only_a_page(&task.file, finding)
+                    || self.is_downloaded(&task.file, finding))
         };
         self.lower_where(findings, is_to_be_had, || Some(Severity::Info));
     }
@@ -77,6 +79,13 @@ impl Session {
             .peekable();
         names.peek().is_some()
             && names.all(|entry| !entry.is_dir && is_page(&folder.join(&entry.name)))
+    }
+
+    /// Whether a program downloads the mesh that is missing: it has its name.
+    fn is_downloaded(&self, file: &Path, finding: &Finding) -> bool {
+        let text = self.text_of(finding).unwrap_or_default();
+        let name = text.rsplit('/').next().unwrap_or_default();
+        !name.contains('$') && !name.is_empty() && self.callers.download(file, name)
     }
 
     /// The text that a finding is about.

@@ -71,6 +71,29 @@ fn meshes_that_a_page_says_where_to_get() {
 }
 
 #[test]
+fn meshes_that_a_script_downloads_by_their_names() {
+    let robot = "<robot name='lamp'><link name='base'><visual><geometry><mesh filename='package://lamp_description/meshes/base.stl'/></geometry></visual></link></robot>";
+    let of = |script: &str| {
+        let files = [
+            MANIFEST,
+            ("urdf/lamp.urdf", robot),
+            ("meshes/top.stl", "solid\nendsolid\n"),
+            ("scripts/meshes.sh", script),
+        ];
+        severity(&files, "mesh-not-found")
+    };
+    assert_eq!(
+        of("wget http://example.com/base.stl -P meshes"),
+        Some(Severity::Info)
+    );
+    assert_eq!(
+        of("wget http://example.com/top.stl -P meshes"),
+        Some(Severity::Error)
+    );
+    assert_eq!(of("rm meshes/base.stl"), Some(Severity::Error));
+}
+
+#[test]
 fn meshes_for_matlab() {
     let robot = "<robot name='lamp'><link name='base'><visual><geometry><mesh filename='base.stl'/></geometry></visual></link></robot>";
     let of = |others: &[(&str, &str)]| {

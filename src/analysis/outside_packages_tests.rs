@@ -71,3 +71,21 @@ fn folders_of_others() {
     assert_eq!(color("external/lib/r.urdf"), Some(Severity::Info));
     assert_eq!(color("internal/lib/r.urdf"), Some(Severity::Warning));
 }
+
+#[test]
+fn pieces_of_robots() {
+    let of = |root: &str, launch: &str| {
+        let piece = format!("<{root} name='camera'><sensor/></{root}>");
+        let files = [
+            ("arm/package.xml", "<package><name>arm</name></package>"),
+            ("arm/urdf/camera.urdf", piece.as_str()),
+            ("arm/launch/arm.launch", launch),
+        ];
+        let found = found(&files, "unknown-root-element");
+        found.first().map(|found| found.1)
+    };
+    let loads = "<param textfile='$(find arm)/urdf/camera.urdf'/>";
+    assert_eq!(of("link", "<launch/>"), Some(Severity::Info));
+    assert_eq!(of("link", loads), Some(Severity::Error));
+    assert_eq!(of("robo", "<launch/>"), Some(Severity::Error));
+}

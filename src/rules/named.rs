@@ -17,6 +17,8 @@ pub const MOVEIT_UNKNOWN_CONTROLLER: &Rule = &moveit::moveit_unknown_controller:
 pub const SRDF_UNKNOWN_GROUP: &Rule = &srdf::srdf_unknown_group::RULE;
 /// `safety-limits-outside-limits`
 pub const SAFETY_LIMITS_OUTSIDE_LIMITS: &Rule = &joint::safety_limits_outside_limits::RULE;
+/// `unknown-root-element`
+pub const UNKNOWN_ROOT_ELEMENT: &Rule = &xml::unknown_root_element::RULE;
 /// `srdf-robot-name`
 pub const SRDF_ROBOT_NAME: &Rule = &srdf::srdf_robot_name::RULE;
 /// `srdf-unknown-link`

@@ -1,6 +1,7 @@
 //! Problems of the expansion as findings.
 use super::context::{RuleEnv, is_plain_urdf};
 use super::finding::{Edit, Finding, Fix, Related};
+use super::grouping::Group;
 use super::package::{PACKAGE_NOT_FOUND, is_news};
 use super::place;
 use super::problem_cx::ProblemCx;
@@ -261,13 +262,22 @@ pub(super) fn finding(expansion: &Expansion, problem: &Problem, vfs: &Vfs) -> Op
         help: problem.help.clone(),
         fix,
         problem: Some(problem.kind),
-        group: include_not_found::group(problem),
+        group: group(problem),
         outside: problem.outside.clone(),
         probed: problem.probed,
         ..Finding::new(rule, place, problem.message.clone())
     };
     limit_calls(&mut finding, calls);
     Some(finding)
+}
+
+/// What a problem shares with others that are the same defect, where its rule does not say it.
+fn group(problem: &Problem) -> Option<Group> {
+    // a habit of who wrote macros that nothing calls
+    let is_idle = problem.kind == ProblemKind::InvalidExpression && problem.probed;
+    is_idle
+        .then_some(Group::File)
+        .or_else(|| include_not_found::group(problem))
 }
 
 /// How bad a problem is in the file where it is.

@@ -49,11 +49,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         } else {
             RULE.severity
         };
-        let message = format!(
-            "`{}` {} for links, but `{name}` is a joint",
-            settings.join("`, `"),
-            if settings.len() == 1 { "is" } else { "are" }
-        );
+        let message = format!("{} for links, but `{name}` is a joint", are(&settings));
         let report = out
             .report(text.origin, message)
             .severity(severity)
@@ -67,6 +63,18 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         } else {
             report.done();
         }
+    }
+}
+
+/// What a sentence about settings begins with: the first of them, and how many more there are.
+fn are(settings: &[&str]) -> String {
+    const SHOWN: usize = 3;
+    let shown: Vec<&str> = settings.iter().take(SHOWN).copied().collect();
+    let shown = shown.join("`, `");
+    match settings.len() {
+        1 => format!("`{shown}` is"),
+        count if count <= SHOWN => format!("`{shown}` are"),
+        count => format!("`{shown}` and {} more are", count - SHOWN),
     }
 }
 

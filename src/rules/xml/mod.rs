@@ -14,7 +14,7 @@ mod seen;
 pub(super) mod unexpected_text;
 pub(super) mod unknown_attribute;
 pub(super) mod unknown_element;
-mod unknown_root_element;
+pub(super) mod unknown_root_element;
 mod unsupported_urdf_version;
 mod walk;
 pub(super) mod wrong_vector_length;

@@ -58,6 +58,16 @@ impl Callers {
             })
     }
 
+    /// Whether a program around the description `file` downloads what has this name.
+    pub fn download(&self, file: &Path, name: &str) -> bool {
+        let mentions = self.mentions(file);
+        let name = Path::new(name);
+        mentions.is_some_and(|mentions| {
+            let mut programs = mentions.of(name).filter(|by| file_names::is_program(by));
+            programs.any(|by| self.packages.is_text(by, |text| has_any(text, &DOWNLOADS)))
+        })
+    }
+
     /// Whether a program in Python or a shell that names the description `file` holds `text`, letter for letter: neither knows
     /// `$(find ...)`, so it puts something else for it.
     pub fn rewrite(&self, file: &Path, text: &str) -> bool {
