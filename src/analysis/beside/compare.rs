@@ -122,7 +122,7 @@ impl Session {
             if !said.is_empty() && paired.robots.iter().any(has_ignored) {
                 said = self.check_names(&own, &Paired::default(), &around, cancel);
             }
-            said.retain(|finding| !self.is_group_of_includer(path, finding));
+            self.leave_out_groups_above(path, &mut said);
             found.findings.extend(said);
             if !paired.robots.is_empty() {
                 found.files.push(path.clone());
@@ -131,29 +131,21 @@ impl Session {
         found
     }
 
-    /// Whether a finding is about a group that a part of an SRDF lacks, and what includes the part has.
-    fn is_group_of_includer(&self, part: &Path, finding: &Finding) -> bool {
-        if finding.rule != named::SRDF_UNKNOWN_GROUP {
-            return false;
+    /// Leave out that a part of an SRDF lacks a group which what includes the part has.
+    fn leave_out_groups_above(&self, part: &Path, findings: &mut Vec<Finding>) {
+        let is_about_group = |finding: &Finding| finding.rule == named::SRDF_UNKNOWN_GROUP;
+        if !findings.iter().any(is_about_group) {
+            return;
         }
-        let text = |source: Arc<SourceFile>| source.document.slice(finding.span.range);
-        let Ok(group) = self.vfs.document(part).map(text) else {
-            return false;
+        let sources = self.includers(part).into_iter();
+        let sources = sources.filter_map(|file| self.vfs.document(&file).ok());
+        let groups: FastSet<String> = sources.flat_map(|source| groups_of(&source)).collect();
+        let Ok(own) = self.vfs.document(part) else {
+            return;
         };
-        let gives = |file: &PathBuf| {
-            let source = self.vfs.document(file);
-            source.is_ok_and(|source| {
-                let mut nodes = source
-                    .document
-                    .parts()
-                    .flat_map(|(_, item)| item.all_nodes());
-                nodes.any(|node| {
-                    node.name() == "group"
-                        && node.attr("name").is_some_and(|name| name.raw() == group)
-                })
-            })
-        };
-        self.includers(part).iter().any(gives)
+        findings.retain(|finding| {
+            !is_about_group(finding) || !groups.contains(&own.document.slice(finding.span.range))
+        });
     }
 
     fn beside_once(
@@ -327,4 +319,16 @@ impl Session {
         }
         names.links.contains(name)
     }
+}
+
+/// The names of the groups that an SRDF writes out.
+fn groups_of(source: &SourceFile) -> Vec<String> {
+    let nodes = source
+        .document
+        .parts()
+        .flat_map(|(_, item)| item.all_nodes());
+    let groups = nodes.filter(|node| node.name() == "group");
+    groups
+        .filter_map(|node| Some(node.attr("name")?.raw().to_owned()))
+        .collect()
 }

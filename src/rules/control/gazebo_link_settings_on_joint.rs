@@ -1,10 +1,13 @@
 //! Settings of a link for Gazebo under the name of a joint.
+use std::cell::LazyCell;
+
 use super::super::context::RobotCx;
 use super::super::edits::rename;
 use super::super::grouping::Group;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::gazebo_missing_reference::OF_LINKS;
+use base::{FastMap, FastSet};
 use expand::XTree;
 use model::{Gazebo, Joint};
 
@@ -25,6 +28,11 @@ const COLOR: &str = "material";
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let tree = &cx.expansion.tree;
+    let joints: LazyCell<FastMap<&str, &Joint>, _> = LazyCell::new(|| {
+        let joints = cx.robot.joints.iter();
+        joints.map(|joint| (joint.shown(), joint)).collect()
+    });
+    let by_name = LazyCell::new(|| settings_by_name(cx));
     for block in &cx.robot.gazebo {
         let Some((text, name)) = block
             .reference
@@ -33,18 +41,20 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         else {
             continue;
         };
-        let mut settings = settings(tree, block);
-        settings.dedup();
-        let is_joint = |joint: &&Joint| joint.shown() == name.as_str();
-        let joint = cx.robot.joints.iter().find(is_joint);
-        let (Some(joint), None) = (joint, cx.kinematics.link(name)) else {
+        if cx.kinematics.link(name).is_some() {
             continue;
-        };
-        let Some((_, child)) = joint.ends().filter(|_| !settings.is_empty()) else {
+        }
+        let mut settings = settings(tree, block);
+        let is_all = tree.elements(block.element).count() == settings.len();
+        settings.dedup();
+        let joint = joints.get(name.as_str()).filter(|_| !settings.is_empty());
+        let Some((_, child)) = joint.and_then(|joint| joint.ends()) else {
             continue;
         };
         let is_color = settings.iter().all(|setting| *setting == COLOR);
-        let severity = if is_color || has_own(cx, child, &settings) {
+        let own = by_name.get(child.as_str());
+        let has_own = own.is_some_and(|own| settings.iter().any(|setting| own.contains(setting)));
+        let severity = if is_color || has_own {
             Severity::Info
         } else {
             RULE.severity
@@ -58,7 +68,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
                 "write reference=\"{child}\"; Gazebo ignores them at a joint"
             ));
         // settings of the joint have to stay where they are
-        if tree.elements(block.element).count() == settings.len() {
+        if is_all {
             rename(report, cx.expansion, text, child).done();
         } else {
             report.done();
@@ -86,17 +96,14 @@ fn settings<'t>(tree: &'t XTree, block: &Gazebo) -> Vec<&'t str> {
     names.filter(|name| OF_LINKS.contains(name)).collect()
 }
 
-/// Whether a block about a link has one of these settings, too.
-fn has_own(cx: &RobotCx<'_>, link: &str, names: &[&str]) -> bool {
-    let tree = &cx.expansion.tree;
-    let of_link = |block: &&Gazebo| {
-        block
-            .reference
-            .as_ref()
-            .is_some_and(|text| text.value == link)
-    };
-    let blocks = cx.robot.gazebo.iter().filter(of_link);
-    blocks
-        .flat_map(|block| settings(tree, block))
-        .any(|own| names.contains(&own))
+/// The settings of links in all blocks, by the name that they refer to.
+fn settings_by_name<'t>(cx: &RobotCx<'t>) -> FastMap<&'t str, FastSet<&'t str>> {
+    let mut found: FastMap<&str, FastSet<&str>> = FastMap::default();
+    for block in &cx.robot.gazebo {
+        if let Some(text) = &block.reference {
+            let own = found.entry(text.value.as_str()).or_default();
+            own.extend(settings(&cx.expansion.tree, block));
+        }
+    }
+    found
 }

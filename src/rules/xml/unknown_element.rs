@@ -54,17 +54,22 @@ fn former(cx: &DocumentCx<'_>, id: XId, parent: &ElementSpec) -> Option<&'static
     const FORMER: &str = "joint_properties";
     const NOW: &str = "dynamics";
     let tree = &cx.expansion.tree;
+    // an element may have a million others beside it
+    if parent.name != "joint" || tree.get(id).text != FORMER {
+        return None;
+    }
     let joint = tree.parent(id)?;
     let values = ["damping", "friction"].into_iter();
     let mut values = values.filter_map(|name| AttrValue::attr(tree, id, name));
     let is_fixed = tree
         .attr(joint, "type")
         .is_some_and(|kind| kind.value == "fixed");
-    let is_there = tree
-        .elements(joint)
-        .any(|child| tree.get(child).text == NOW);
+    // an element may have a million of these
+    const MOST: usize = 100;
+    let mut children = tree.elements(joint).take(MOST);
+    let is_there = children.any(|child| tree.get(child).text == NOW);
     let is_lost = !is_fixed && !is_there && values.any(|text| text.number() != Some(0.0));
-    (parent.name == "joint" && tree.get(id).text == FORMER && is_lost).then_some(NOW)
+    is_lost.then_some(NOW)
 }
 
 /// The shape without a geometry in an element that may hold many unknown ones.

@@ -176,7 +176,10 @@ impl<'s> PythonReader<'s> {
     }
 
     /// Whether the text has the name of a variable only once, where it is set.
-    fn is_never_read(&self, target: &str) -> bool {
+    fn is_never_read(&mut self, target: &str) -> bool {
+        if !self.spend(self.text.len() / BYTES_PER_STEP + 1) {
+            return false;
+        }
         let text = without_comments(".py", self.text);
         is_name(target) && words(&text).filter(|word| *word == target).count() == 1
     }
@@ -259,6 +262,9 @@ impl<'s> PythonReader<'s> {
         self.scopes.forget_aliases(name);
     }
 }
+
+/// How much of a text is read in the time of a step.
+const BYTES_PER_STEP: usize = 64;
 
 fn is_name(text: &str) -> bool {
     !text.is_empty() && text.chars().all(|c| c.is_alphanumeric() || c == '_')
