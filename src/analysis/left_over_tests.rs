@@ -526,3 +526,18 @@ fn packages_that_are_not_built() {
     let outside = [outer[0], outer[1], ("src/parts/launch/lamp.launch", load)];
     assert_eq!(of("README", &outside), Some(Severity::Error));
 }
+
+#[test]
+fn files_that_were_downloaded_once_more() {
+    let severity = |name: &str, program: &str| {
+        let name = format!("models/{name}");
+        let files = [(name.as_str(), BROKEN), ("run.py", program)];
+        severity_of(&name, &files, "missing-element")
+    };
+    assert_eq!(severity("arm (1).urdf", ""), Some(Severity::Info));
+    assert_eq!(
+        severity("arm (1).urdf", "load('models/arm (1).urdf')"),
+        Some(Severity::Error)
+    );
+    assert_eq!(severity("arm (left).urdf", ""), Some(Severity::Error));
+}

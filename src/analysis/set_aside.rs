@@ -328,7 +328,7 @@ impl Session {
             |word: &String| KEPT.contains(&word.trim_end_matches(|c: char| c.is_ascii_digit()));
         words.iter().any(is_kept)
             || words.windows(2).any(|pair| pair == ["not", "used"])
-            || is_second_download(file)
+            || is_second_download(file) && !self.callers.spell_out(file)
     }
 
     /// Whether the folder of a relative mesh lies in one above the file, where Bullet looks as well.

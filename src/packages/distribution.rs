@@ -123,4 +123,24 @@ mod tests {
         ));
         assert!(is_old("ws/arm/README.md", "", &[("ROS_DISTRO", "humble")]));
     }
+
+    #[test]
+    fn a_container_says_more_than_plans() {
+        let is_old = |container: &str| {
+            let tree = Tree::new();
+            tree.write("ws/arm/package.xml", "<package><name>arm</name></package>");
+            tree.write("ws/.git/HEAD", "");
+            tree.write("ws/README.md", "For Humble. Planned: Jazzy.");
+            tree.write("ws/Dockerfile", container);
+            let packages = Packages::new(
+                tree.vfs().clone(),
+                &tree.environment(&[]),
+                PackageOptions::default(),
+            );
+            packages.is_before_jazzy(&tree.path("ws/arm/urdf/arm.xacro"))
+        };
+        assert!(is_old("FROM ros:humble"));
+        assert!(!is_old("FROM ros:jazzy"));
+        assert!(!is_old("FROM ubuntu"));
+    }
 }

@@ -129,6 +129,13 @@ mod tests {
             let files = [("old/arm/package.xml", manifest), (mark.as_str(), "")];
             check_built(&files, "old/arm/urdf/arm.urdf", expected);
         }
+        // colcon builds the sources when others are for ROS 2
+        let files = [
+            ("old/arm/package.xml", CATKIN),
+            ("old/COLCON_IGNORE", ""),
+            ("cart/package.xml", MANIFEST),
+        ];
+        check_built(&files, "old/arm/urdf/arm.urdf", false);
     }
 
     #[test]

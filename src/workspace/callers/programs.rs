@@ -58,6 +58,23 @@ impl Callers {
             })
     }
 
+    /// Whether a text around the description `file` that may load it holds its name, letter for letter: names with blanks and
+    /// brackets are no words.
+    pub fn spell_out(&self, file: &Path) -> bool {
+        let Some(top) = self.packages.sources_around(file) else {
+            return false;
+        };
+        let own = name_of(file);
+        let mut found = false;
+        walk(self.packages.vfs(), &top, &mut |path, name, is_small| {
+            found = found
+                || file_names::may_call(name)
+                    && is_small()
+                    && self.packages.is_text(path, |text| text.contains(own));
+        });
+        found
+    }
+
     /// Whether a program around the description `file` downloads what has this name.
     pub fn download(&self, file: &Path, name: &str) -> bool {
         let mentions = self.mentions(file);

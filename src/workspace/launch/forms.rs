@@ -388,6 +388,11 @@ fn launch_files_in_xml() {
             "/r/a.xacro",
         ),
         (
+            "without a slash",
+            r#"<launch><param name="d" command="$(find xacro)xacro.py /r/a.xacro"/></launch>"#,
+            "/r/a.xacro",
+        ),
+        (
             "fixed value",
             r#"<launch><arg name="m" value="$(find arm)/a.xacro"/><param name="d" command="xacro $(arg m)"/></launch>"#,
             "$(find arm)/a.xacro",
