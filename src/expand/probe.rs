@@ -10,7 +10,8 @@ use super::macro_table::MacroDef;
 use super::names::EvalContext;
 use super::origin::Origin;
 use super::problem::Problem;
-use super::symbols::{Use, UseKind};
+use super::symbols::UseKind;
+use base::FastSet;
 
 impl Expander<'_> {
     /// Evaluate the macros that nothing calls. What is found there changes nothing about the document.
@@ -20,18 +21,17 @@ impl Expander<'_> {
         }
         let mut found = self.speculate(|expander| {
             // a macro that is called by a later one need not be evaluated by itself
+            let (mut called, mut seen) = (FastSet::default(), 0);
             for (def, cx) in std::mem::take(&mut expander.probing.macros)
                 .into_iter()
                 .rev()
             {
-                let is_call = |used: &Use| used.kind == UseKind::Call;
-                let is_called = expander
-                    .result
-                    .index
-                    .symbols
-                    .uses_of(def.definition)
-                    .any(is_call);
-                if !is_called {
+                let uses = &expander.result.index.symbols.uses;
+                let new = uses.get(seen..).unwrap_or_default().iter();
+                let calls = new.filter(|used| used.kind == UseKind::Call);
+                called.extend(calls.map(|used| used.definition));
+                seen = uses.len();
+                if !called.contains(&def.definition) {
                     expander.probe_macro(&def, cx);
                 }
             }

@@ -54,6 +54,12 @@ impl Chains {
         Self { first, next }
     }
 
+    /// Joints by their name.
+    pub(super) fn of_joints(robot: &Robot) -> Self {
+        let name = |joint: &super::Joint| Some(joint.name.as_ref()?.value.clone());
+        Self::of(robot.joints.iter().map(name))
+    }
+
     /// The indices of a name, in order.
     pub(super) fn named(&self, name: &str) -> impl Iterator<Item = usize> + Clone {
         let first = self.first.get(name).copied();

@@ -3,6 +3,7 @@ use std::sync::{Arc, OnceLock};
 
 use super::attr_value::AttrValue;
 use super::blocks::{Gazebo, Ros2Control, Transmission};
+use super::ends::Chains;
 use super::joint::{Joint, JointType};
 use super::kept::Kept;
 use super::kinematics::Kinematics;
@@ -136,16 +137,14 @@ impl Robot {
 
     /// The first joint of a name.
     pub fn joint(&self, name: &str) -> Option<&Joint> {
-        self.joints
-            .iter()
-            .find(|joint| joint.name.as_ref().is_some_and(|text| text.value == name))
+        let naming = self.naming();
+        let joints = naming.joints.get_or_init(|| Chains::of_joints(self));
+        self.joints.get(joints.named(name).next()?)
     }
 
     /// The first link of a name.
     pub fn link(&self, name: &str) -> Option<&Link> {
-        self.links
-            .iter()
-            .find(|link| link.name.as_ref().is_some_and(|text| text.value == name))
+        self.links_named(name).find(|link| link.name.is_some())
     }
 
     /// Whether no joint moves: an object or a part, as opposed to a mechanism.

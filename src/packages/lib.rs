@@ -32,6 +32,6 @@ pub use packages::{
 };
 pub use root::{is_built, is_cache};
 pub use shell::RosVariable;
-pub use similar::{edit_distance, misspelled, nearest};
+pub use similar::{Suggestions, edit_distance, misspelled, nearest};
 pub use trusted_paths::{TrustedPaths, UNQUOTED};
 pub use uri::{UriKind, UriOutcome, UriResult, percent_decoded};

@@ -41,6 +41,42 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
     best
 }
 
+/// Suggests names for several words that are none. Comparing takes time: after many comparisons nothing is suggested any more.
+#[derive(Debug)]
+pub struct Suggestions {
+    /// How many names may still be compared.
+    left: usize,
+}
+
+impl Default for Suggestions {
+    fn default() -> Self {
+        // a robot of 300 joints, none of which a file names right, is a tenth of it
+        Self { left: 1_000_000 }
+    }
+}
+
+impl Suggestions {
+    /// Whether there is something left to spend.
+    pub fn is_open(&self) -> bool {
+        self.left > 0
+    }
+
+    /// The candidate that is [`nearest`] to a word.
+    pub fn nearest<'a>(
+        &mut self,
+        word: &str,
+        candidates: impl IntoIterator<Item = &'a str>,
+    ) -> Option<&'a str> {
+        let left = &mut self.left;
+        let affordable = candidates.into_iter().take_while(|_| {
+            let is_left = *left > 0;
+            *left = left.saturating_sub(1);
+            is_left
+        });
+        nearest(word, affordable)
+    }
+}
+
 /// The small letters of a word; false when there are too many of them.
 fn fold(word: &str, letters: &mut Vec<char>) -> bool {
     letters.clear();

@@ -5,6 +5,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::consumers::Met;
+use super::conventions::NamedBy;
 use super::frames::Distances;
 use super::geometry::{MeshReference, Resources};
 use super::package::{Manifests, PackageMention};
@@ -12,7 +13,7 @@ use super::xacro::MentionedWords;
 use base::{FastMap, FastSet};
 use expand::{Expansion, FileIdx, Problem, StepKey, XId};
 use facts::{Marks, is_keyword, parts_where};
-use model::{AttrValue, Gazebo, Joint, Kinematics, Link, Meshes, Robot, SharedList, Version};
+use model::{AttrValue, Joint, Kinematics, Link, Meshes, Robot, SharedList, Version};
 use packages::Packages;
 use vfs::{SourceFile, Vfs};
 use workspace::config::Config;
@@ -162,6 +163,10 @@ pub struct DocumentCx<'a> {
     pub(super) bare_shapes: RefCell<FastMap<XId, Option<&'a str>>>,
     /// What consumers may reject or change, once a rule has asked.
     pub(super) constructs: OnceCell<Vec<Met>>,
+    /// The attributes that name its links and joints, once a rule has asked.
+    pub(super) named_by: OnceCell<NamedBy>,
+    /// What elements for Gazebo set to true, and of which link or of the whole robot, once a rule has asked.
+    set: OnceCell<FastSet<(Option<&'a str>, &'a str)>>,
     /// For each definition whether something uses it, once a rule has asked.
     pub(super) used: OnceCell<Vec<bool>>,
     /// The macros that the files define, once a rule has asked.
@@ -177,6 +182,8 @@ pub(super) struct AllElements {
     pub(super) distances: OnceCell<Distances>,
     /// The lengths of the axes of joints that move.
     pub(super) axis_lengths: OnceCell<Vec<f64>>,
+    /// The limits of joints along a line, meters, as bits.
+    pub(super) sliding_ranges: OnceCell<FastSet<[u64; 2]>>,
     /// The links that have the inertia of a motor added; none where they are few.
     pub(super) rotors: OnceCell<FastSet<XId>>,
 }
@@ -204,6 +211,8 @@ impl<'a> DocumentCx<'a> {
             mentions: OnceCell::new(),
             bare_shapes: RefCell::default(),
             constructs: OnceCell::new(),
+            named_by: OnceCell::new(),
+            set: OnceCell::new(),
             used: OnceCell::new(),
             macros: OnceCell::new(),
             all: AllElements::default(),
@@ -288,17 +297,9 @@ impl<'a> DocumentCx<'a> {
     /// Whether an element for Gazebo about a link, or about the whole robot, sets something to true.
     pub(super) fn is_set_for(&self, link: Option<&str>, setting: &str) -> bool {
         self.look_beyond();
-        let tree = &self.expansion.tree;
-        let blocks = self.robot.into_iter().flat_map(|robot| &robot.gazebo);
-        let is_about = |block: &&Gazebo| block.reference.as_ref().map(|name| &*name.value) == link;
-        let mut tags = blocks
-            .filter(is_about)
-            .flat_map(|block| tree.elements(block.element))
-            .filter(|&tag| tree.get(tag).text == setting);
-        tags.any(|tag| {
-            AttrValue::content(tree, tag)
-                .is_some_and(|text| ["true", "1"].contains(&text.value.trim()))
-        })
+        self.set
+            .get_or_init(|| set_for_gazebo(self.expansion, self.robot))
+            .contains(&(link, setting))
     }
 
     /// The joints of the document.
@@ -321,6 +322,25 @@ impl<'a> DocumentCx<'a> {
     pub fn whole(&self) -> bool {
         self.complete && self.expansion.tree.root() == Some(self.element)
     }
+}
+
+/// What elements for Gazebo set to true, each with the link that it is about.
+fn set_for_gazebo<'a>(
+    expansion: &'a Expansion,
+    robot: Option<&'a Robot>,
+) -> FastSet<(Option<&'a str>, &'a str)> {
+    let tree = &expansion.tree;
+    let blocks = robot.into_iter().flat_map(|robot| &robot.gazebo);
+    let tags = blocks.flat_map(|block| {
+        let link = block.reference.as_ref().map(|name| name.value.as_str());
+        tree.elements(block.element).map(move |tag| (link, tag))
+    });
+    let is_true = |tag: XId| {
+        AttrValue::content(tree, tag).is_some_and(|text| ["true", "1"].contains(&text.value.trim()))
+    };
+    tags.filter(|&(_, tag)| is_true(tag))
+        .map(|(link, tag)| (link, tree.get(tag).text.as_str()))
+        .collect()
 }
 
 /// What lies around a description: packages, files, settings.

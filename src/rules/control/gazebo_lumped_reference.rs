@@ -1,9 +1,11 @@
 //! A sensor or plugin on a link that becomes part of its parent.
+use std::cell::LazyCell;
+
 use super::super::context::RobotCx;
 use super::super::edits::{indent, is_called, source_text};
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::{Reported, Sink};
-use base::TextRange;
+use base::{FastSet, TextRange};
 use expand::{XId, XTree};
 use model::{AttrValue, Gazebo, Joint, JointType, element_range};
 
@@ -21,6 +23,8 @@ pub(super) static RULE: Rule = Rule {
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let tree = &cx.expansion.tree;
+    // there may be as many of these elements as links
+    let kept = LazyCell::new(|| Kept::of(cx));
     for block in cx
         .robot
         .gazebo
@@ -42,7 +46,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
             continue;
         };
         let held = joint.ends().is_some_and(|(parent, _)| parent != "world");
-        if !held || !joint.is(&[JointType::Fixed]) || is_kept(cx, joint) {
+        if !held || !joint.is(&[JointType::Fixed]) || kept.has(joint) {
             continue;
         }
         let message = format!(
@@ -52,7 +56,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         let report = out
             .report(text.origin, message)
             .help("add <preserveFixedJoint>true</preserveFixedJoint>, or refer to the parent link");
-        kept(report, cx, block, joint).done();
+        keeping(report, cx, block, joint).done();
     }
 }
 
@@ -62,30 +66,43 @@ fn has_content(tree: &XTree, block: XId) -> bool {
         .any(|id| ["sensor", "plugin", "visual"].contains(&tree.get(id).text.as_str()))
 }
 
-/// Whether a `gazebo` element keeps a joint from being reduced.
-fn is_kept(cx: &RobotCx<'_>, joint: &Joint) -> bool {
-    let tree = &cx.expansion.tree;
-    let keeps = |id: XId| {
-        let name = tree.get(id).text.as_str();
-        ["preserveFixedJoint", "disableFixedJointLumping"].contains(&name)
-            && AttrValue::content(tree, id)
-                .is_some_and(|text| text.value == "true" || text.value == "1")
-    };
-    let about = |block: &&Gazebo| {
-        block
-            .reference
-            .as_ref()
-            .is_none_or(|text| text.value == joint.shown())
-    };
-    cx.robot
-        .gazebo
-        .iter()
-        .filter(about)
-        .any(|block| tree.elements(block.element).any(keeps))
+/// The joints that `gazebo` elements keep from being reduced.
+#[derive(Default)]
+struct Kept<'a> {
+    /// Whether an element without a reference keeps all of them.
+    all: bool,
+    names: FastSet<&'a str>,
+}
+
+impl<'a> Kept<'a> {
+    fn of(cx: &RobotCx<'a>) -> Self {
+        let tree = &cx.expansion.tree;
+        let keeps = |id: XId| {
+            let name = tree.get(id).text.as_str();
+            ["preserveFixedJoint", "disableFixedJointLumping"].contains(&name)
+                && AttrValue::content(tree, id)
+                    .is_some_and(|text| text.value == "true" || text.value == "1")
+        };
+        let mut kept = Self::default();
+        let blocks = cx.robot.gazebo.iter();
+        for block in blocks.filter(|block| tree.elements(block.element).any(keeps)) {
+            match &block.reference {
+                Some(text) => {
+                    kept.names.insert(&text.value);
+                }
+                None => kept.all = true,
+            }
+        }
+        kept
+    }
+
+    fn has(&self, joint: &Joint) -> bool {
+        self.all || self.names.contains(joint.shown())
+    }
 }
 
 /// With the fix to keep the joint.
-fn kept<'s, 'a>(
+fn keeping<'s, 'a>(
     report: Reported<'s, 'a>,
     cx: &RobotCx<'_>,
     block: &Gazebo,

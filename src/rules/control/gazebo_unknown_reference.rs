@@ -8,12 +8,12 @@ use super::super::grouping::Group;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use base::FastSet;
+use ecow::EcoString;
 use expand::{SymbolKind, XId};
 use facts::{Fact, FactKind, facts};
-use memchr::memmem::Finder;
 use model::{AttrValue, Gazebo};
-use packages::nearest;
-use xml::{Node, NodeKind};
+use packages::Suggestions;
+use xml::{Document, NodeKind};
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "CTL014",
@@ -30,6 +30,8 @@ pub(in super::super) static RULE: Rule = Rule {
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let joints = || cx.robot.joints.iter().map(|joint| joint.shown());
     let joints: LazyCell<FastSet<&str>, _> = LazyCell::new(|| joints().collect());
+    let around = LazyCell::new(|| Around::of(cx));
+    let mut suggestions = Suggestions::default();
     for block in &cx.robot.gazebo {
         let Some(text) = &block.reference else {
             continue;
@@ -42,7 +44,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         }
         let links = cx.robot.links.iter().map(|link| link.shown());
         let names = links.chain(cx.robot.joints.iter().map(|joint| joint.shown()));
-        let near = nearest(name, names);
+        let near = suggestions.nearest(name, names);
         // what resembles no name is left over from one robot: one finding for a file
         let group = if near.is_some() {
             Group::Name(name.clone())
@@ -56,14 +58,15 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
             Some(near) => {
                 // the part that the name resembles has its color
                 let is_left_over =
-                    changes_nothing(cx, block) && has_own(cx, near) || is_commented_out(cx, name);
+                    changes_nothing(cx, block) && around.referred_to.contains(near)
+                        || around.commented_out.contains(name.as_str());
                 let severity = if is_left_over { Severity::Info } else { RULE.severity };
                 let report =
                     report.severity(severity).help(Help::did_you_mean(near).and("SDFormat ignores an element with an unknown reference"));
                 rename(report, cx.expansion, text, near).done();
             }
             None => report
-                .severity(severity(cx, block, name))
+                .severity(severity(cx, block, name, &around))
                 .help("use the name of a link or joint of this robot; SDFormat ignores an element with an unknown reference")
                 .done(),
         }
@@ -85,30 +88,21 @@ fn lacks_dollar(cx: &RobotCx<'_>, name: &str) -> bool {
 
 /// Without a similar name, what is said of a link that the robot does not have is mostly left over from another robot, and
 /// nothing is lost. Not so sensors and plugins, names that share a word with those of the robot, and links between joints.
-fn severity(cx: &RobotCx<'_>, block: &Gazebo, name: &str) -> Severity {
-    if is_joined(cx, name) {
+fn severity(cx: &RobotCx<'_>, block: &Gazebo, name: &str, around: &Around<'_>) -> Severity {
+    if around.joined.contains(name) {
         return Severity::Warning;
     }
-    let is_meant = holds_device(cx, block) || shares_word(cx, name);
+    let is_meant = holds_device(cx, block) || words(name).any(|word| around.words.contains(&word));
     if is_meant
         && !changes_nothing(cx, block)
         && !sets_only_self_collision(cx, block)
-        && !is_written(cx, name)
-        && !is_commented_out(cx, name)
+        && !around.written.contains(name)
+        && !around.commented_out.contains(name)
     {
         Severity::Warning
     } else {
         Severity::Info
     }
-}
-
-/// Whether a joint of the robot has a parent or child of that name: the link was taken away.
-fn is_joined(cx: &RobotCx<'_>, name: &str) -> bool {
-    let joints = cx.robot.joints.iter();
-    let mut ends = joints
-        .flat_map(|joint| [&joint.parent, &joint.child])
-        .flatten();
-    ends.any(|end| end.value == name)
 }
 
 /// Whether an element holds a sensor or a plugin.
@@ -118,62 +112,75 @@ fn holds_device(cx: &RobotCx<'_>, block: &Gazebo) -> bool {
         .any(|child| ["sensor", "plugin"].contains(&tree.get(child).text.as_str()))
 }
 
-/// Whether a link or joint shares a word with a name, one that says which part is meant.
-fn shares_word(cx: &RobotCx<'_>, name: &str) -> bool {
-    let own = words(name);
-    let links = cx.robot.links.iter().map(|link| link.shown());
-    let mut names = links.chain(cx.robot.joints.iter().map(|joint| joint.shown()));
-    names.any(|other| words(other).iter().any(|word| own.contains(word)))
-}
-
 /// The words of a name that say which part is meant.
-fn words(name: &str) -> Vec<String> {
+fn words(name: &str) -> impl Iterator<Item = String> + '_ {
     const OF_ALL: [&str; 4] = ["link", "joint", "frame", "base"];
     const LEAST_LETTERS: usize = 3;
     let words = name
         .split(|c: char| !c.is_alphabetic())
         .map(str::to_lowercase);
-    words
-        .filter(|word| word.len() >= LEAST_LETTERS && !OF_ALL.contains(&word.as_str()))
-        .collect()
+    words.filter(|word| word.len() >= LEAST_LETTERS && !OF_ALL.contains(&word.as_str()))
 }
 
-/// Whether a text that the robot is made of names a link or joint so, in a branch that is not taken this time.
-fn is_written(cx: &RobotCx<'_>, name: &str) -> bool {
-    let is_it =
-        |fact: &Fact| matches!(fact.kind, FactKind::Link | FactKind::Joint) && fact.name == name;
-    let mut files = cx.expansion.files.iter();
-    files.any(|file| facts(&file.source.document).any(|(_, facts)| facts.named.iter().any(is_it)))
+/// What the robot and its texts say of names, looked for once: as many may be unknown as there are links.
+struct Around<'a> {
+    /// Parents and children of joints: where there is no such link, it was taken away.
+    joined: FastSet<&'a str>,
+    /// Words of the names of links and joints that say which part is meant.
+    words: FastSet<String>,
+    /// What `gazebo` elements are about.
+    referred_to: FastSet<&'a str>,
+    /// Links and joints that the texts define, in a branch that is not taken this time.
+    written: FastSet<EcoString>,
+    /// Links and joints in comments: they were taken out on purpose, and what is left over does nothing.
+    commented_out: FastSet<&'a str>,
 }
 
-/// Whether a comment in these texts holds a link or joint of that name: it was taken out on purpose, and what is left over
-/// does nothing.
-fn is_commented_out(cx: &RobotCx<'_>, name: &str) -> bool {
-    let quoted = |quote: char| format!("{quote}{name}{quote}");
-    let tags = ["<link name=", "<joint name="].into_iter();
-    let tags = tags.flat_map(|tag| ['"', '\''].map(|quote| format!("{tag}{}", quoted(quote))));
-    let tags: Vec<Finder<'_>> = tags.map(|tag| Finder::new(&tag).into_owned()).collect();
-    let holds = |text: &str| tags.iter().any(|tag| tag.find(text.as_bytes()).is_some());
-    let is_comment = |node: &Node<'_>| node.kind() == NodeKind::Comment;
-    let mut items = cx
-        .expansion
-        .files
-        .iter()
-        .flat_map(|file| file.source.document.parts());
-    items.any(|(_, item)| {
-        let mut comments = item.all_nodes().filter(is_comment);
-        holds(item.text()) && comments.any(|comment| holds(comment.raw()))
+impl<'a> Around<'a> {
+    fn of(cx: &RobotCx<'a>) -> Self {
+        let (links, joints) = (&cx.robot.links, &cx.robot.joints);
+        let ends = joints
+            .iter()
+            .flat_map(|joint| [&joint.parent, &joint.child]);
+        let names = links.iter().map(|link| link.shown());
+        let names = names.chain(joints.iter().map(|joint| joint.shown()));
+        let references = cx
+            .robot
+            .gazebo
+            .iter()
+            .filter_map(|block| block.reference.as_ref());
+        let documents = || cx.expansion.files.iter().map(|file| &file.source.document);
+        let is_part = |fact: &&Fact| matches!(fact.kind, FactKind::Link | FactKind::Joint);
+        let mut written = FastSet::default();
+        for (_, facts) in documents().flat_map(facts) {
+            let parts = facts.named.iter().filter(is_part);
+            written.extend(parts.map(|fact| fact.name.clone()));
+        }
+        Self {
+            joined: ends.flatten().map(|end| end.value.as_str()).collect(),
+            words: names.flat_map(words).collect(),
+            referred_to: references.map(|text| text.value.as_str()).collect(),
+            written,
+            commented_out: documents().flat_map(commented_out).collect(),
+        }
+    }
+}
+
+/// The names of links and joints in comments.
+fn commented_out(document: &Document) -> impl Iterator<Item = &str> {
+    let nodes = document.parts().flat_map(|(_, item)| item.all_nodes());
+    let comments = nodes.filter(|node| node.kind() == NodeKind::Comment);
+    comments.flat_map(|comment| {
+        ["<link name=", "<joint name="]
+            .into_iter()
+            .flat_map(move |tag| {
+                let behind = comment.raw().split(tag).skip(1);
+                behind.filter_map(|rest| {
+                    let quote = rest.chars().next().filter(|c| ['"', '\''].contains(c))?;
+                    rest.get(1..)?.split_once(quote).map(|(name, _)| name)
+                })
+            })
     })
-}
-
-/// Whether there is an element about a link or joint of that name.
-fn has_own(cx: &RobotCx<'_>, name: &str) -> bool {
-    let mut named = cx
-        .robot
-        .gazebo
-        .iter()
-        .filter_map(|block| block.reference.as_ref());
-    named.any(|text| text.value == name)
 }
 
 /// Whether an element sets whether a link collides with its own robot, and nothing else: which link that is says the name alone.

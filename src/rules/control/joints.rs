@@ -9,7 +9,7 @@ use base::{FastMap, FastSet, TextRange};
 use expand::{Expansion, Origin};
 use model::JointType::{Prismatic, Revolute};
 use model::{AttrValue, ControlJoint, Joint};
-use packages::nearest;
+use packages::Suggestions;
 
 /// The joints that ros2_control lists, each with that of the robot.
 pub(super) fn controlled<'a>(cx: &DocumentCx<'a>) -> Vec<(&'a ControlJoint, &'a Joint)> {
@@ -58,13 +58,14 @@ pub(super) fn unknown_joints<'t>(
         return;
     }
     let known: FastSet<&str> = cx.robot.joints.iter().map(|joint| joint.shown()).collect();
+    let mut suggestions = Suggestions::default();
     for text in texts {
         let Some(name) = text.name().filter(|name| !known.contains(name.as_str())) else {
             continue;
         };
         let message = format!("{block} refers to unknown joint `{name}`");
         let report = out.report(text.origin, message).severity(severity);
-        match nearest(name, cx.robot.joints.iter().map(|joint| joint.shown())) {
+        match suggestions.nearest(name, cx.robot.joints.iter().map(|joint| joint.shown())) {
             Some(near) => {
                 let report = report.help(Help::did_you_mean(near));
                 rename(report, cx.expansion, text, near).done();

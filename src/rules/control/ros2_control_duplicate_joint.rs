@@ -1,4 +1,6 @@
 //! One interface of a joint in two ros2_control blocks, or a joint twice in one.
+use std::cell::LazyCell;
+
 use super::super::context::DocumentCx;
 use super::super::grouping::Group;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
@@ -21,6 +23,7 @@ pub(in super::super) static RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let mut seen: FastMap<&str, Vec<(usize, &ControlJoint)>> = FastMap::default();
+    let is_before_jazzy = LazyCell::new(|| is_before_jazzy(cx));
     let controls = cx
         .robot
         .into_iter()
@@ -53,7 +56,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             });
         if let Some((Some(other), first, (interface, severity, kind))) = twice {
             // before Jazzy, the first block that has an interface provides it
-            let severity = if is_before_jazzy(cx) {
+            let severity = if *is_before_jazzy {
                 Severity::Warning
             } else {
                 severity

@@ -12,7 +12,7 @@ mod unprefixed_name_in_macro;
 
 use super::rule::Rule;
 
-pub(super) use names::{NamedElement, names, rename};
+pub(super) use names::{NamedBy, NamedElement, names, rename};
 
 /// All rules of this category, by code.
 pub(super) static RULES: &[&Rule] = &[

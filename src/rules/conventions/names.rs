@@ -1,7 +1,8 @@
 //! The names of links and joints, and what refers to them.
 use super::super::context::DocumentCx;
 use super::super::finding::Edit;
-use base::FastSet;
+use base::{FastMap, FastSet};
+use ecow::EcoString;
 use expand::{Expansion, XId, XKind};
 use model::{AttrValue, Robot};
 
@@ -43,16 +44,17 @@ pub(in super::super) fn rename(
     old: &str,
     new: &str,
 ) -> Option<Vec<Edit>> {
+    let named_by = cx
+        .named_by
+        .get_or_init(|| NamedBy::of(cx.expansion, cx.element));
+    let mentions = named_by.of_element(named);
+    if mentions.contains_key(new) {
+        return None;
+    }
     let mut places = FastSet::default();
     let mut edits = Vec::new();
-    for (id, attr) in mentions(cx.expansion, cx.element, named) {
+    for &(id, attr) in mentions.get(old)? {
         let text = AttrValue::attr(&cx.expansion.tree, id, attr)?;
-        if text.value == new {
-            return None;
-        }
-        if text.value != old {
-            continue;
-        }
         let place = cx
             .expansion
             .place(text.origin)
@@ -69,32 +71,55 @@ pub(in super::super) fn rename(
             });
         }
     }
-    (!edits.is_empty()).then_some(edits)
+    Some(edits)
 }
 
-/// The attributes that name links, or joints: where they are defined and where they are referred to.
-fn mentions(expansion: &Expansion, root: XId, named: NamedElement) -> Vec<(XId, &'static str)> {
-    let tree = &expansion.tree;
-    let mut open = vec![root];
-    let mut found = Vec::new();
-    while let Some(id) = open.pop() {
-        let node = tree.get(id);
-        let around = tree
-            .parent(id)
-            .filter(|&id| tree.get(id).kind == XKind::Element);
-        let parent = around.map_or("", |id| tree.get(id).text.as_str());
-        let attr = match (node.text.as_str(), parent, named) {
-            ("link", _, NamedElement::Link) | ("joint", _, NamedElement::Joint) => Some("name"),
-            ("parent" | "child", "joint", NamedElement::Link) => Some("link"),
-            ("mimic", _, NamedElement::Joint) => Some("joint"),
-            ("gazebo", _, _) => Some("reference"),
-            _ => None,
-        };
-        found.extend(
-            attr.filter(|attr| tree.attr(id, attr).is_some())
-                .map(|attr| (id, attr)),
-        );
-        open.extend(tree.elements(id));
+/// Attributes by the name that is their value.
+type Mentions = FastMap<EcoString, Vec<(XId, &'static str)>>;
+
+/// The attributes that name links and joints: where they are defined and where they are referred to.
+#[derive(Default)]
+pub(in super::super) struct NamedBy {
+    links: Mentions,
+    joints: Mentions,
+}
+
+impl NamedBy {
+    fn of(expansion: &Expansion, root: XId) -> Self {
+        let tree = &expansion.tree;
+        let mut found = Self::default();
+        let mut open = vec![root];
+        while let Some(id) = open.pop() {
+            let node = tree.get(id);
+            let around = tree
+                .parent(id)
+                .filter(|&id| tree.get(id).kind == XKind::Element);
+            let parent = around.map_or("", |id| tree.get(id).text.as_str());
+            let (of_link, of_joint) = match (node.text.as_str(), parent) {
+                ("link", _) => (Some("name"), None),
+                ("joint", _) => (None, Some("name")),
+                ("parent" | "child", "joint") => (Some("link"), None),
+                ("mimic", _) => (None, Some("joint")),
+                ("gazebo", _) => (Some("reference"), Some("reference")),
+                _ => (None, None),
+            };
+            let maps = [(&mut found.links, of_link), (&mut found.joints, of_joint)];
+            for (map, attr) in maps {
+                if let Some(attr) = attr
+                    && let Some(value) = tree.attr(id, attr)
+                {
+                    map.entry(value.value.clone()).or_default().push((id, attr));
+                }
+            }
+            open.extend(tree.elements(id));
+        }
+        found
     }
-    found
+
+    fn of_element(&self, named: NamedElement) -> &Mentions {
+        match named {
+            NamedElement::Link => &self.links,
+            NamedElement::Joint => &self.joints,
+        }
+    }
 }

@@ -1,4 +1,5 @@
 //! The files that a description names: where they are, and the meshes in them.
+use std::cell::LazyCell;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -150,6 +151,7 @@ fn named(robot: &Robot) -> impl Iterator<Item = MeshReference<'_>> {
 fn read_meshes(cx: &DocumentCx<'_>) -> Resources {
     let mut known: FastMap<(Option<FileIdx>, &str), FileLookup> = FastMap::default();
     let mut targets = Vec::new();
+    let compiler = LazyCell::new(|| compiler(&cx.expansion.tree));
     for named in cx.mesh_references() {
         let file = cx
             .expansion
@@ -161,7 +163,11 @@ fn read_meshes(cx: &DocumentCx<'_>) -> Resources {
                 .entry(key)
                 .or_insert_with(|| {
                     let target = resolve(cx.expansion, cx.world, named.file);
-                    in_mesh_folder(cx, &named.file.value, &target).unwrap_or(target)
+                    let is_missing = matches!(target, FileLookup::Missing(..));
+                    let compiler = is_missing.then(|| *compiler).flatten();
+                    let found = compiler
+                        .and_then(|compiler| in_mesh_folder(cx, compiler, &named.file.value));
+                    found.unwrap_or(target)
                 })
                 .clone()
         } else {
@@ -198,14 +204,15 @@ fn read_meshes(cx: &DocumentCx<'_>) -> Resources {
     }
 }
 
-/// Where MuJoCo finds a mesh that is missing elsewhere: in the folder that `<mujoco><compiler meshdir="..."/>` of the robot
-/// names, by the name of the file alone unless it says `strippath="false"`.
-fn in_mesh_folder(cx: &DocumentCx<'_>, name: &str, target: &FileLookup) -> Option<FileLookup> {
-    if !matches!(target, FileLookup::Missing(..)) {
-        return None;
-    }
+/// The settings of MuJoCo in a robot: `<mujoco><compiler meshdir="..."/>`.
+fn compiler(tree: &XTree) -> Option<XId> {
+    child(tree, child(tree, tree.root()?, "mujoco")?, "compiler")
+}
+
+/// Where MuJoCo finds a mesh that is missing elsewhere: in the folder that its settings name, by the name of the file alone unless
+/// they say `strippath="false"`.
+fn in_mesh_folder(cx: &DocumentCx<'_>, compiler: XId, name: &str) -> Option<FileLookup> {
     let tree = &cx.expansion.tree;
-    let compiler = child(tree, child(tree, tree.root()?, "mujoco")?, "compiler")?;
     let keeps_path = tree
         .attr(compiler, "strippath")
         .is_some_and(|attr| attr.value == "false");

@@ -6,8 +6,8 @@ use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, pa
 use super::super::sink::Sink;
 use super::shapes::{is_defined, is_replaceable, mesh_file, visual_materials};
 use base::FastSet;
-use model::{AttrValue, Body, Material};
-use packages::nearest;
+use model::{AttrValue, Body, Link, Material};
+use packages::Suggestions;
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "GEO026",
@@ -33,6 +33,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         .filter_map(|material| material.name.as_ref());
     let defined: Vec<&str> = names.map(|name| name.value.as_str()).collect();
     let known: FastSet<&str> = defined.iter().copied().collect();
+    let mut suggestions = Suggestions::default();
     for (link, material) in visual_materials(cx.robot).filter(|(_, material)| !is_defined(material))
     {
         let Some(text) = &material.name else { continue };
@@ -42,7 +43,9 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         if name.starts_with("Gazebo/") {
             continue;
         }
-        let near = nearest(name, defined.iter().copied()).filter(|near| is_replaceable(text, near));
+        let near = suggestions
+            .nearest(name, defined.iter().copied())
+            .filter(|near| is_replaceable(text, near));
         // one name is misspelled; several that are like no other are defined in a file that is not included
         let group = near.map_or(Group::File, |_| Group::Name(name.clone()));
         let report = out
@@ -56,13 +59,13 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
                 let report = report.help(Help::did_you_mean(near));
                 report.replace_with(Safety::Unsafe, format!("rename to `{near}`"), near).done();
             }
-            None => report.severity(if is_on_colored_mesh(cx, material) { Severity::Info } else { RULE.severity }).help(format!("add <material name=\"{name}\"><color rgba=\"...\"/></material> to <robot>, or a <color> here")).done(),
+            None => report.severity(if is_on_colored_mesh(link, material) { Severity::Info } else { RULE.severity }).help(format!("add <material name=\"{name}\"><color rgba=\"...\"/></material> to <robot>, or a <color> here")).done(),
         }
     }
 }
 
 /// Whether a material is that of a mesh in a format that holds colors of its own: these are shown without it.
-fn is_on_colored_mesh(cx: &RobotCx<'_>, material: &Material) -> bool {
+fn is_on_colored_mesh(link: &Link, material: &Material) -> bool {
     const FORMATS: [&str; 4] = [".dae", ".glb", ".gltf", ".obj"];
     let is_colored = |file: &AttrValue| {
         let name = file.value.trim().to_lowercase();
@@ -73,8 +76,11 @@ fn is_on_colored_mesh(cx: &RobotCx<'_>, material: &Material) -> bool {
             .as_ref()
             .is_some_and(|own| own.element == material.element)
     };
-    let mut visuals = cx.robot.links.iter().flat_map(|link| &link.visuals);
-    let shapes = visuals.find(is_its).and_then(|body| body.geometry.as_ref());
+    let shapes = link
+        .visuals
+        .iter()
+        .find(is_its)
+        .and_then(|body| body.geometry.as_ref());
     let mut files = shapes
         .into_iter()
         .flat_map(|shapes| &shapes.shapes)

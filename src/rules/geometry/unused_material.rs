@@ -1,4 +1,6 @@
 //! A material that nothing uses.
+use std::cell::LazyCell;
+
 use super::super::context::RobotCx;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
@@ -24,6 +26,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let used: FastSet<&str> = visual_materials(cx.robot)
         .filter_map(|(_, material)| Some(material.name.as_ref()?.value.as_str()))
         .collect();
+    let mentioned = LazyCell::new(|| mentioned(cx));
     for material in &cx.robot.materials {
         let Some(text) = &material.name else { continue };
         let Some(name) = text.name().filter(|name| !used.contains(name.as_str())) else {
@@ -31,7 +34,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         };
         // files of materials are shared; what a condition left out may need the material
         let place = cx.expansion.place(text.origin);
-        if place.is_none_or(|place| place.file != FileIdx(0)) || is_mentioned(cx, name) {
+        if place.is_none_or(|place| place.file != FileIdx(0)) || mentioned.contains(name.as_str()) {
             continue;
         }
         let whole = element_range(cx.expansion, material.element);
@@ -54,17 +57,19 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     }
 }
 
-/// Whether a value in the sources is `name`, but for the definition of the material itself.
-fn is_mentioned(cx: &RobotCx<'_>, name: &str) -> bool {
+/// The values of attributes in the sources, but for those of the definitions of materials themselves.
+fn mentioned<'a>(cx: &RobotCx<'a>) -> FastSet<&'a str> {
     let items = cx
         .expansion
         .files
         .iter()
         .flat_map(|file| file.source.document.parts());
     let nodes = items.flat_map(|(_, item)| item.all_nodes());
-    let attrs = nodes.flat_map(|node| node.attrs().map(move |attr| (node, attr)));
-    let mut mentions = attrs.filter(|(_, attr)| attr.raw() == name);
-    mentions.any(|(node, _)| !is_definition(node))
+    let others = nodes.filter(|&node| !is_definition(node));
+    others
+        .flat_map(|node| node.attrs())
+        .map(|attr| attr.raw())
+        .collect()
 }
 
 fn is_definition(node: Node<'_>) -> bool {

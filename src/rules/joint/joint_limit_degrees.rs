@@ -41,9 +41,16 @@ fn is_for_none(cx: &DocumentCx<'_>, limit: &Limit) -> bool {
         return false;
     };
     let is_along_a_line = || {
-        let joints = cx.joints().iter();
-        let mut sliding = joints.filter(|joint| joint.is(&[JointType::Prismatic]));
-        sliding.any(|joint| joint.limit.as_ref().and_then(range) == Some((lower, upper)))
+        let ranges = || {
+            let joints = cx.joints().iter();
+            let sliding = joints.filter(|joint| joint.is(&[JointType::Prismatic]));
+            let ranges = sliding.filter_map(|joint| joint.limit.as_ref().and_then(range));
+            ranges
+                .map(|range| <[f64; 2]>::from(range).map(f64::to_bits))
+                .collect()
+        };
+        let all = cx.all().sliding_ranges.get_or_init(ranges);
+        all.contains(&[lower, upper].map(f64::to_bits))
     };
     // 999 or 1000
     let is_power = |value: f64| value.log10().fract() == 0.0;

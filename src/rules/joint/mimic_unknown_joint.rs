@@ -7,7 +7,7 @@ use super::super::finding::Help;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use base::FastSet;
-use packages::nearest;
+use packages::Suggestions;
 
 pub(super) static RULE: Rule = Rule {
     code: "JNT021",
@@ -24,6 +24,7 @@ pub(super) static RULE: Rule = Rule {
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let joints = || cx.robot.joints.iter().map(|joint| joint.shown());
     let known: LazyCell<FastSet<&str>, _> = LazyCell::new(|| joints().collect());
+    let mut suggestions = Suggestions::default();
     for joint in &cx.robot.joints {
         let Some(text) = joint.mimic.as_ref().and_then(|mimic| mimic.joint.as_ref()) else {
             continue;
@@ -39,7 +40,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
             .iter()
             .map(|joint| joint.shown())
             .filter(|name| *name != joint.shown());
-        match nearest(target, names) {
+        match suggestions.nearest(target, names) {
             Some(near) => {
                 let report = report.help(Help::did_you_mean(near));
                 rename(report, cx.expansion, text, near).done();

@@ -77,16 +77,8 @@ fn is_wheel(robot: &Robot, joint: &Joint) -> bool {
     let Some((_, child)) = joint.ends() else {
         return false;
     };
-    let moved = |other: &&Joint| {
-        other
-            .parent
-            .as_ref()
-            .is_some_and(|parent| parent.value == *child)
-    };
     let carries = robot
-        .joints
-        .iter()
-        .filter(moved)
+        .joints_below(child)
         .any(|other| !other.is(&[JointType::Fixed]));
     let names = format!("{} {child}", joint.shown()).to_lowercase();
     let is_rotor = ["rotor", "propeller", "prop_"]

@@ -8,7 +8,7 @@ use super::super::context::{RobotCx, elements};
 use base::FastSet;
 use expand::Origin;
 use model::{AttrValue, Joint, Robot};
-use packages::nearest;
+use packages::{Suggestions, nearest};
 
 /// A link that does not exist.
 pub(super) struct MissingLink {
@@ -82,11 +82,11 @@ pub(super) fn missing_links(cx: &RobotCx<'_>) -> Vec<MissingLink> {
             }
         }
     }
-    let missing = missing.into_iter().enumerate();
+    let mut suggestions = Suggestions::default();
     missing
-        .map(|(i, (name, uses))| MissingLink {
-            // looking for near names takes time; nobody reads that many suggestions
-            nearest: if i < 50 { near_link(cx, &name) } else { None },
+        .into_iter()
+        .map(|(name, uses)| MissingLink {
+            nearest: near_link(cx, &name, &mut suggestions),
             name,
             uses,
         })
@@ -143,17 +143,20 @@ pub(super) fn joints_with_one_end(robot: &Robot) -> impl Iterator<Item = &Joint>
 }
 
 /// The link that was perhaps meant: a near name, or the only one that differs by a prefix.
-fn near_link(cx: &RobotCx<'_>, name: &str) -> Option<EcoString> {
+fn near_link(cx: &RobotCx<'_>, name: &str, suggestions: &mut Suggestions) -> Option<EcoString> {
+    if !suggestions.is_open() {
+        return None;
+    }
     let is_loose = |name: &&str| {
         cx.kinematics.link(name).is_some_and(|link| {
             cx.kinematics.parent_joints(link).is_empty()
                 && cx.kinematics.child_joints(link).is_empty()
         })
     };
-    if let Some(near) = nearest(name, link_names(cx).filter(is_loose)) {
+    if let Some(near) = suggestions.nearest(name, link_names(cx).filter(is_loose)) {
         return Some(near.into());
     }
-    if let Some(near) = nearest(name, link_names(cx)) {
+    if let Some(near) = suggestions.nearest(name, link_names(cx)) {
         return Some(near.into());
     }
     let mut prefixed =

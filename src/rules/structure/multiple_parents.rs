@@ -1,4 +1,6 @@
 //! A link that is the child of several joints.
+use std::cell::LazyCell;
+
 use super::super::context::RobotCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
@@ -23,6 +25,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     if !(0..cx.robot.links.len()).any(has_several) {
         return;
     }
+    let are_several = LazyCell::new(|| cx.kinematics.roots(cx.robot).len() > 1);
     let mut count: FastMap<&str, usize> = FastMap::default();
     for name in cx.robot.links.iter().filter_map(|link| link.name.as_ref()) {
         *count.entry(&name.value).or_default() += 1;
@@ -57,7 +60,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
                 first.shown(),
                 joint.shown()
             );
-            let help = match reversed(cx, [first, joint]) {
+            let help = match reversed(cx, [first, joint]).filter(|_| *are_several) {
                 Some(joint) => format!(
                     "swap the parent and the child of joint `{}`, or remove one joint; a link can have only one parent joint",
                     joint.shown()
@@ -95,11 +98,8 @@ fn is_frame(cx: &RobotCx<'_>, ends: [&EcoString; 2]) -> bool {
     ends.into_iter().filter_map(link).any(is_bare)
 }
 
-/// The joint that looks reversed: the only one of the two whose parent link no joint holds, in a robot with several roots.
+/// The joint that looks reversed, in a robot with several roots: the only one of the two whose parent link no joint holds.
 fn reversed<'j>(cx: &RobotCx<'_>, joints: [&'j Joint; 2]) -> Option<&'j Joint> {
-    if cx.kinematics.roots(cx.robot).len() < 2 {
-        return None;
-    }
     let is_loose = |joint: &&Joint| {
         let parent = joint
             .parent

@@ -1,4 +1,5 @@
 //! A macro that replaces another one of its name.
+use std::cell::LazyCell;
 use std::collections::BTreeMap;
 
 use super::super::context::DocumentCx;
@@ -29,7 +30,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     }
     let inclusions = source::inclusions(cx.expansion, cx.world);
     let spaces = namespaces(&inclusions);
-    let mut first: FastMap<(&str, &str), (FileRange, Node<'_>, bool)> = FastMap::default();
+    let mut first: FastMap<(&str, &str), (FileRange, Node<'_>, DefinitionId)> = FastMap::default();
+    let called = LazyCell::new(|| called(cx));
     for (id, definition) in cx
         .expansion
         .index
@@ -49,12 +51,12 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             continue;
         }
         let name = definition.name.as_str();
-        let earlier = first.insert((space.as_str(), name), (place, node, is_called(cx, id)));
-        if let Some((earlier, _, was_called)) =
+        let earlier = first.insert((space.as_str(), name), (place, node, id));
+        if let Some((earlier, _, first)) =
             earlier.filter(|(_, earlier, _)| !is_same(*earlier, node))
         {
             // calls of both, each before the next is defined, take turns on purpose
-            let is_meant = was_called || !is_called(cx, id);
+            let is_meant = called.contains(&first) || !called.contains(&id);
             out.report_in(place.file, place.range, format!("macro `{name}` is redefined"))
                 .severity(if is_meant { Severity::Info } else { RULE.severity })
                 .also_at(earlier, "first defined here")
@@ -64,9 +66,12 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     }
 }
 
-fn is_called(cx: &DocumentCx<'_>, id: DefinitionId) -> bool {
-    let mut uses = cx.expansion.index.symbols.uses_of(id);
-    uses.any(|used| used.kind == UseKind::Call)
+/// The macros that something calls.
+fn called(cx: &DocumentCx<'_>) -> FastSet<DefinitionId> {
+    let uses = cx.expansion.index.symbols.uses.iter();
+    uses.filter(|used| used.kind == UseKind::Call)
+        .map(|used| used.definition)
+        .collect()
 }
 
 /// Whether two macros are written with the same words, whatever the blanks, comments and XML style.

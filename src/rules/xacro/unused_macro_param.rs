@@ -1,5 +1,6 @@
 //! A parameter that its macro does not use.
 use std::cell::LazyCell;
+use std::collections::BTreeSet;
 
 use ecow::EcoString;
 
@@ -9,7 +10,9 @@ use super::super::sink::Sink;
 use super::words::MentionedWords;
 use super::{source, unused};
 use base::{FastMap, FastSet};
-use expand::{Definition, DefinitionId, Problem, ProblemKind, SymbolKind, UseKind};
+use expand::{
+    Definition, DefinitionId, FileIdx, Problem, ProblemKind, SourceRange, SymbolKind, UseKind,
+};
 use facts::{is_keyword, parts_where};
 use xml::{Node, NodeKind};
 
@@ -30,6 +33,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         return;
     }
     let forwards = LazyCell::new(|| Forwards::of(cx));
+    let blocks = LazyCell::new(|| Blocks::of(cx));
+    let misspelled = LazyCell::new(|| misspelled(cx));
     let mut bodies: FastMap<DefinitionId, Option<MentionedWords>> = FastMap::default();
     for (id, definition) in cx.expansion.index.symbols.iter() {
         let Some(of) = definition
@@ -38,33 +43,34 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         else {
             continue;
         };
-        let body = bodies.entry(of).or_insert_with(|| body(cx, of, &forwards));
+        let body = bodies
+            .entry(of)
+            .or_insert_with(|| body(cx, of, &forwards, &misspelled));
         if body
             .as_ref()
             .is_some_and(|body| !is_mentioned(body, definition, &forwards))
         {
-            report(cx, of, definition, out);
+            report(cx, (of, definition), &blocks, out);
         }
     }
 }
 
 /// What the body of a macro mentions; none, when that cannot be told: it is empty, includes a file, calls what
 /// is not known, or a name in it is misspelled.
-fn body(cx: &DocumentCx<'_>, of: DefinitionId, forwards: &Forwards) -> Option<MentionedWords> {
+fn body(
+    cx: &DocumentCx<'_>,
+    of: DefinitionId,
+    forwards: &Forwards,
+    misspelled: &Misspelled,
+) -> Option<MentionedWords> {
     let place = cx.expansion.index.symbols.get(of)?.place;
     let (base, node) = source::tag(cx.expansion, place)?;
     let (file, range) = (
         source::place(cx.expansion, place)?.file,
         node.range().shift(base),
     );
-    let misspelled = |found: &Problem| {
-        let undefined = matches!(
-            found.kind,
-            ProblemKind::UndefinedProperty | ProblemKind::UndefinedBlock
-        );
-        undefined && found.place.file == file && range.contains_range(found.place.range)
-    };
-    if cx.expansion.problems.iter().any(misspelled) {
+    let mut inside = misspelled.range((file, range.start)..(file, range.end));
+    if inside.next().is_some() {
         return None;
     }
     if holds_unprefixed_insert(node) {
@@ -82,6 +88,51 @@ fn body(cx: &DocumentCx<'_>, of: DefinitionId, forwards: &Forwards) -> Option<Me
                 .contains(tag.rsplit('.').next().unwrap_or(tag))
     };
     (!body.tags.contains("include") && body.tags.iter().all(known)).then_some(body)
+}
+
+/// Where names are undefined, in the order of the texts.
+type Misspelled = BTreeSet<(FileIdx, u32)>;
+
+fn misspelled(cx: &DocumentCx<'_>) -> Misspelled {
+    let is_undefined = |found: &&Problem| {
+        matches!(
+            found.kind,
+            ProblemKind::UndefinedProperty | ProblemKind::UndefinedBlock
+        )
+    };
+    let undefined = cx.expansion.problems.iter().filter(is_undefined);
+    undefined
+        .map(|found| (found.place.file, found.place.range.start))
+        .collect()
+}
+
+/// The blocks that macros take, and what calls them.
+struct Blocks {
+    /// Where the parameters of a macro that take a block stand.
+    taken: FastMap<DefinitionId, Vec<u32>>,
+    calls: FastMap<DefinitionId, Vec<SourceRange>>,
+}
+
+impl Blocks {
+    fn of(cx: &DocumentCx<'_>) -> Self {
+        let symbols = &cx.expansion.index.symbols;
+        let (mut taken, mut calls) = (FastMap::default(), FastMap::default());
+        for (_, block) in symbols.iter() {
+            if let (SymbolKind::BlockParameter, Some(of)) = (block.kind, block.of) {
+                let places: &mut Vec<u32> = taken.entry(of).or_default();
+                places.push(block.place.range.start);
+            }
+        }
+        for used in symbols
+            .uses
+            .iter()
+            .filter(|used| used.kind == UseKind::Call)
+        {
+            let places: &mut Vec<SourceRange> = calls.entry(used.definition).or_default();
+            places.push(used.place);
+        }
+        Self { taken, calls }
+    }
 }
 
 fn holds_unprefixed_insert(node: Node<'_>) -> bool {
@@ -188,19 +239,17 @@ fn places_parts(cx: &DocumentCx<'_>, of: DefinitionId) -> bool {
 }
 
 /// Whether something is lost with a block: the calls write more than poses that move nothing, or there are none yet.
-fn is_missed(cx: &DocumentCx<'_>, of: DefinitionId, param: &Definition) -> bool {
-    let symbols = &cx.expansion.index.symbols;
-    let blocks = symbols
-        .iter()
-        .map(|(_, other)| other)
-        .filter(|other| other.kind == SymbolKind::BlockParameter && other.of == Some(of));
-    let index = blocks
-        .filter(|other| other.place.range.start < param.place.range.start)
+fn is_missed(
+    cx: &DocumentCx<'_>,
+    (of, param): (DefinitionId, &Definition),
+    blocks: &Blocks,
+) -> bool {
+    let taken = blocks.taken.get(&of).into_iter().flatten();
+    let index = taken
+        .filter(|start| **start < param.place.range.start)
         .count();
-    let calls = symbols
-        .uses_of(of)
-        .filter(|used| used.kind == UseKind::Call);
-    let tags = calls.filter_map(|call| source::tag(cx.expansion, call.place));
+    let calls = blocks.calls.get(&of).into_iter().flatten();
+    let tags = calls.filter_map(|call| source::tag(cx.expansion, *call));
     let mut given = tags.map(|(_, node)| {
         let mut elements = node
             .children()
@@ -220,7 +269,12 @@ fn moves_nothing(node: Node<'_>) -> bool {
             .all(|attr| attr.raw().split_ascii_whitespace().all(is_zero))
 }
 
-fn report(cx: &DocumentCx<'_>, of: DefinitionId, param: &Definition, out: &mut Sink<'_>) {
+fn report(
+    cx: &DocumentCx<'_>,
+    (of, param): (DefinitionId, &Definition),
+    blocks: &Blocks,
+    out: &mut Sink<'_>,
+) {
     let Some(place) = source::place(cx.expansion, param.place) else {
         return;
     };
@@ -232,7 +286,9 @@ fn report(cx: &DocumentCx<'_>, of: DefinitionId, param: &Definition, out: &mut S
         .map_or("", |owner| owner.name.as_str());
     // with a block, what callers write is lost, such as a pose
     let (what, verb, severity) = match param.kind {
-        SymbolKind::BlockParameter if places_parts(cx, of) && is_missed(cx, of, param) => {
+        SymbolKind::BlockParameter
+            if places_parts(cx, of) && is_missed(cx, (of, param), blocks) =>
+        {
             ("block", "inserted", Severity::Warning)
         }
         SymbolKind::BlockParameter => ("block", "inserted", Severity::Info),
