@@ -67,9 +67,11 @@ impl<'s> LaunchedTransforms<'s> {
         };
         let started = |call: &&RobotCall| published.started.contains(&call.call.caller);
         let mut robots = calls.iter().chain(loads.iter()).filter(started);
+        let is_still = callers.leave_joints_alone(&published.file);
         robots.find_map(|call| {
             let (expansion, robot) = self.robot(&published.file, call)?;
-            compare(expansion, robot, span, &published.transform)
+            let is_sent = |joint: &Joint| !is_still || joint.is(&[JointType::Fixed]);
+            compare(expansion, robot, span, (&published.transform, &is_sent))
         })
     }
 
@@ -118,12 +120,12 @@ impl<'s> LaunchedTransforms<'s> {
     }
 }
 
-/// What is wrong with a transform for a robot: a joint places the frame as well, or the frame is above.
+/// What is wrong with a transform for a robot: a joint whose transform is sent places the frame as well, or the frame is above.
 fn compare(
     expansion: &Expansion,
     robot: &Robot,
     span: Span,
-    transform: &StaticTransform,
+    (transform, is_sent): (&StaticTransform, &dyn Fn(&Joint) -> bool),
 ) -> Option<Finding> {
     let StaticTransform { parent, child, .. } = transform;
     let kinematics = robot.kinematics();
@@ -131,7 +133,7 @@ fn compare(
         let text = joint.child.as_ref()?;
         span_of(expansion, text.origin)
     };
-    if let Some(joint) = joint_above(robot, child) {
+    if let Some(joint) = joint_above(robot, child).filter(|joint| is_sent(joint)) {
         let is_same = is_same(joint, transform);
         return Some(repeated_transform(
             span,
@@ -185,6 +187,11 @@ mod tests {
 
     /// Check what is said of a publisher with these words, in a launch file that goes on like this.
     fn check(words: &str, rest: &str, expected: Option<Severity>) {
+        check_robot(ROBOT, words, rest, expected);
+    }
+
+    /// The same for another robot.
+    fn check_robot(description: &str, words: &str, rest: &str, expected: Option<Severity>) {
         let publisher = |words: &str| {
             format!("<node pkg='tf2_ros' type='static_transform_publisher' args='{words}'/>")
         };
@@ -193,7 +200,7 @@ mod tests {
         let robot = format!("<launch>{load}<node pkg='robot_state_publisher'/></launch>");
         let files = [
             ("package.xml", "<package><name>cart</name></package>"),
-            ("cart.urdf", ROBOT),
+            ("cart.urdf", description),
             ("a.launch", launch.as_str()),
             ("robot.launch", robot.as_str()),
         ];
@@ -226,5 +233,15 @@ mod tests {
         check(other, &renamed, None);
         // nobody publishes the joints
         check(other, "<param textfile='$(find cart)/cart.urdf'/>", None);
+    }
+
+    #[test]
+    fn joints_that_move_are_published_where_something_says_how_they_stand() {
+        let robot = ROBOT.replace("fixed", "continuous");
+        let includes = "<include file='$(find cart)/robot.launch'/>";
+        let states = format!("{includes}<node pkg='joint_state_publisher'/>");
+        let other = "0 0 0.3 1 0 0 base laser";
+        check_robot(&robot, other, &states, Some(Severity::Warning));
+        check_robot(&robot, other, includes, None);
     }
 }

@@ -69,7 +69,9 @@ fn plugin(session: &Session, file: &Path, expansion: &Expansion) -> Option<YamlR
     // what Foxy and Galactic call active, and their program that starts controllers
     let is_older = ["--set-state start", "'start'", "\"start\"", "spawner.py"];
     let mut leave_it = ["<!--"].into_iter().chain(is_older);
-    if leave_it.any(|text| session.callers.quote(file, text)) {
+    if leave_it.any(|text| session.callers.quote(file, text))
+        || session.packages.is_before_humble(file)
+    {
         return None;
     }
     Some(YamlReader {

@@ -140,6 +140,14 @@ impl Expander<'_> {
         let Some(def) = self.names.macros.find(cx.macros, name) else {
             return false;
         };
+        // the same file may be included again, and a call of an empty macro gives nothing either
+        let is_empty = |def: &MacroDef| {
+            let item = self.item(def.body.src);
+            item.is_some_and(|item| item.node(def.body.node).child_elements().next().is_none())
+        };
+        if is_empty(&def) {
+            return false;
+        }
         let blocks = def.params.iter().filter(|param| param.is_block()).count();
         let children = tag.node.child_elements().count();
         // the body of another definition would read parameters

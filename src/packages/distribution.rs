@@ -6,21 +6,33 @@ use super::Packages;
 use super::manifest::MANIFEST;
 use base::limits::CALLER_BYTES;
 
-/// Distributions before Jazzy that have ros2_control.
-/// Without Iron, whose name is a word of workshops.
-const BEFORE_JAZZY: [&str; 3] = ["foxy", "galactic", "humble"];
-const SINCE_JAZZY: [&str; 4] = ["jazzy", "kilted", "lyrical", "rolling"];
+/// Distributions that have ros2_control, the oldest first. Without Iron, whose name is a word of workshops.
+const DISTRIBUTIONS: [&str; 7] = [
+    "foxy", "galactic", "humble", "jazzy", "kilted", "lyrical", "rolling",
+];
 /// What the name of a file begins with that describes a container.
 const CONTAINER: &str = "Dockerfile";
-/// Folders of a repository in which builds and tests are described.
-const FOLDERS: [&str; 4] = ["", "docker", ".docker", ".github/workflows"];
+/// What the name of a folder holds that describes one.
+const CONTAINER_FOLDER: &str = "docker";
+/// The folder of a repository in which tests are described.
+const WORKFLOWS: &str = ".github/workflows";
 
 impl Packages {
     /// Whether the package around a file is for distributions of ROS 2 before Jazzy only: the environment says so, or else
     /// its manifest, pages, scripts and workflows, or those of the repository.
     pub fn is_before_jazzy(&self, file: &Path) -> bool {
-        if let Some(distribution) = self.env.var("ROS_DISTRO").filter(|name| !name.is_empty()) {
-            return BEFORE_JAZZY.contains(&distribution);
+        self.is_before("jazzy", file)
+    }
+
+    /// The same for Humble.
+    pub fn is_before_humble(&self, file: &Path) -> bool {
+        self.is_before("humble", file)
+    }
+
+    fn is_before(&self, distribution: &str, file: &Path) -> bool {
+        let place = |name: &str| DISTRIBUTIONS.iter().position(|one| *one == name);
+        if let Some(own) = self.env.var("ROS_DISTRO").filter(|name| !name.is_empty()) {
+            return place(own).is_some_and(|own| Some(own) < place(distribution));
         }
         let Some(package) = self.containing(file) else {
             return false;
@@ -28,36 +40,36 @@ impl Packages {
         // what it is run in says more than pages, which also tell of plans
         let is_container = |path: &PathBuf| name_of(path).starts_with(CONTAINER);
         let all = |_: &PathBuf| true;
-        let of_package = || self.names_distributions(&package.folder, all);
+        let of_package = || self.newest_named(&package.folder, all);
         let top = self.sources_around(file);
-        let in_container = || self.names_distributions(top.as_ref()?, is_container);
-        let of_repository = || self.names_distributions(top.as_ref()?, all);
-        in_container()
-            .or_else(of_package)
-            .or_else(of_repository)
-            .is_some_and(|is_new| !is_new)
+        let in_container = || self.newest_named(top.as_ref()?, is_container);
+        let of_repository = || self.newest_named(top.as_ref()?, all);
+        let newest = in_container().or_else(of_package).or_else(of_repository);
+        newest.is_some_and(|newest| Some(newest) < place(distribution))
     }
 
-    /// Whether the pages below a folder that count name a distribution since Jazzy; none when they name no distribution.
-    fn names_distributions(&self, top: &Path, counts: impl Fn(&PathBuf) -> bool) -> Option<bool> {
-        let (mut is_old, mut is_new) = (false, false);
-        let pages = FOLDERS
+    /// The newest distribution that the pages below a folder that count name, by its place; none when they name no distribution.
+    fn newest_named(&self, top: &Path, counts: impl Fn(&PathBuf) -> bool) -> Option<usize> {
+        let is_for_containers = |name: &str| name.to_ascii_lowercase().contains(CONTAINER_FOLDER);
+        let entries = self.vfs.list_dir(top);
+        let containers = entries
             .iter()
-            .flat_map(|folder| self.pages_in(&top.join(folder)));
-        for path in pages.filter(counts) {
-            let Ok(file) = self.vfs.text(&path) else {
-                continue;
+            .filter(|entry| entry.is_dir && is_for_containers(&entry.name))
+            .map(|entry| top.join(&entry.name));
+        let folders = [top.to_owned(), top.join(WORKFLOWS)].into_iter();
+        let pages = folders
+            .chain(containers)
+            .flat_map(|folder| self.pages_in(&folder));
+        let named = pages.filter(counts).filter_map(|path| {
+            let file = self.vfs.text(&path).ok()?;
+            let words = file.text.split(|c: char| !c.is_ascii_alphanumeric());
+            let place = |word: &str| {
+                let mut all = DISTRIBUTIONS.iter();
+                all.position(|name| word.eq_ignore_ascii_case(name))
             };
-            for word in file.text.split(|c: char| !c.is_ascii_alphanumeric()) {
-                is_old |= BEFORE_JAZZY
-                    .iter()
-                    .any(|name| word.eq_ignore_ascii_case(name));
-                is_new |= SINCE_JAZZY
-                    .iter()
-                    .any(|name| word.eq_ignore_ascii_case(name));
-            }
-        }
-        (is_old || is_new).then_some(is_new)
+            words.filter_map(place).max()
+        });
+        named.max()
     }
 
     /// The files of a folder that say what a package is built and tested with.
@@ -122,6 +134,22 @@ mod tests {
             &[("ROS_DISTRO", "jazzy")]
         ));
         assert!(is_old("ws/arm/README.md", "", &[("ROS_DISTRO", "humble")]));
+    }
+
+    #[test]
+    fn containers_in_a_folder_of_their_own() {
+        let tree = Tree::new();
+        tree.write("ws/arm/package.xml", "<package><name>arm</name></package>");
+        tree.write("ws/.git/HEAD", "");
+        tree.write("ws/README.md", "Planned: Humble.");
+        tree.write("ws/docker_arm/Dockerfile", "FROM osrf/ros:foxy-desktop");
+        let packages = Packages::new(
+            tree.vfs().clone(),
+            &tree.environment(&[]),
+            PackageOptions::default(),
+        );
+        let file = tree.path("ws/arm/urdf/arm.xacro");
+        assert!(packages.is_before_humble(&file) && packages.is_before_jazzy(&file));
     }
 
     #[test]

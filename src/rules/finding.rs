@@ -143,8 +143,11 @@ fn without_placeholders(message: String) -> String {
         "transmission",
     ];
     // most messages name things, and there may be one for each link of a robot
-    let follows = |(at, _)| message.as_bytes().get(at + 1) == Some(&b'`');
-    if !message.contains('?') && !message.match_indices('`').any(follows) {
+    let bytes = message.as_bytes();
+    let mut signs = memchr::memchr2_iter(b'?', b'`', bytes);
+    let is_placeholder_there =
+        |at: usize| bytes.get(at) == Some(&b'?') || bytes.get(at + 1) == Some(&b'`');
+    if !signs.any(is_placeholder_there) {
         return message;
     }
     let mut text = String::with_capacity(message.len());

@@ -29,8 +29,10 @@ pub struct Sink<'a> {
 /// A finding in the making. It is handed on at each step, and is large.
 struct Draft {
     finding: Finding,
-    /// The text that is wrong, each time: in the body of a macro, in each call that leads there.
-    instances: Vec<Origin>,
+    /// The text that is wrong: in the body of a macro, in each call that leads there.
+    instance: Option<Origin>,
+    /// The same text in further calls.
+    others: Vec<Origin>,
 }
 
 /// What was reported at a place, by one or several expansions of its text.
@@ -93,7 +95,7 @@ impl<'a> Sink<'a> {
     pub fn report(&mut self, origin: Origin, message: impl Into<String>) -> Reported<'_, 'a> {
         let span = self.span_of(origin).unwrap_or_else(|| self.nowhere());
         let mut report = self.draft(span, message.into());
-        report.draft.instances.push(origin);
+        report.draft.instance = Some(origin);
         report
     }
 
@@ -125,14 +127,20 @@ impl<'a> Sink<'a> {
         };
         let draft = Box::new(Draft {
             finding,
-            instances: Vec::new(),
+            instance: None,
+            others: Vec::new(),
         });
         Reported { draft, sink: self }
     }
 
     fn push(&mut self, draft: Draft) {
         self.reported += 1;
-        let Draft { finding, instances } = draft;
+        let Draft {
+            finding,
+            instance,
+            others,
+        } = draft;
+        let instances = instance.into_iter().chain(others);
         let key = (finding.rule.code, finding.span);
         let known = self.by_place.get(&key);
         if let Some(stored) = known.and_then(|&place| self.stored.get_mut(place)) {
@@ -239,7 +247,7 @@ impl Reported<'_, '_> {
             return self;
         };
         if span == self.draft.finding.span {
-            self.draft.instances.push(origin);
+            self.draft.others.push(origin);
         } else {
             let message = message.into();
             self.draft.finding.related.push(Related {

@@ -19,7 +19,8 @@ pub(super) static RULE: Rule = Rule {
 };
 
 /// The interfaces that controllers know by name.
-const KNOWN: [&str; 4] = ["position", "velocity", "acceleration", "effort"];
+/// The interfaces of joints.
+pub(super) const KNOWN: [&str; 4] = ["position", "velocity", "acceleration", "effort"];
 
 /// Whether a name is most likely meant for one of these.
 pub(super) fn is_misspelled(name: &str) -> bool {

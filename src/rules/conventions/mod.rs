@@ -5,6 +5,7 @@ pub(super) mod invalid_name;
 mod leading_slash_name;
 mod link_naming;
 mod macro_file_emits;
+mod named_by;
 mod names;
 mod non_snake_case_name;
 mod sdf_reserved_name;
@@ -12,7 +13,8 @@ mod unprefixed_name_in_macro;
 
 use super::rule::Rule;
 
-pub(super) use names::{NamedBy, NamedElement, names, rename};
+pub(super) use named_by::NamedBy;
+pub(super) use names::{NamedElement, names, rename};
 
 /// All rules of this category, by code.
 pub(super) static RULES: &[&Rule] = &[

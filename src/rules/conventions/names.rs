@@ -1,9 +1,8 @@
 //! The names of links and joints, and what refers to them.
 use super::super::context::DocumentCx;
 use super::super::finding::Edit;
-use base::{FastMap, FastSet};
-use ecow::EcoString;
-use expand::{Expansion, XId, XKind};
+use super::named_by::NamedBy;
+use base::FastSet;
 use model::{AttrValue, Robot};
 
 /// What a name names.
@@ -46,8 +45,11 @@ pub(in super::super) fn rename(
 ) -> Option<Vec<Edit>> {
     let named_by = cx
         .named_by
-        .get_or_init(|| NamedBy::of(cx.expansion, cx.element));
-    let mentions = named_by.of_element(named);
+        .get_or_init(|| NamedBy::of(&cx.expansion.tree, cx.element));
+    let mentions = match named {
+        NamedElement::Link => &named_by.links,
+        NamedElement::Joint => &named_by.joints,
+    };
     if mentions.contains_key(new) {
         return None;
     }
@@ -72,54 +74,4 @@ pub(in super::super) fn rename(
         }
     }
     Some(edits)
-}
-
-/// Attributes by the name that is their value.
-type Mentions = FastMap<EcoString, Vec<(XId, &'static str)>>;
-
-/// The attributes that name links and joints: where they are defined and where they are referred to.
-#[derive(Default)]
-pub(in super::super) struct NamedBy {
-    links: Mentions,
-    joints: Mentions,
-}
-
-impl NamedBy {
-    fn of(expansion: &Expansion, root: XId) -> Self {
-        let tree = &expansion.tree;
-        let mut found = Self::default();
-        let mut open = vec![root];
-        while let Some(id) = open.pop() {
-            let node = tree.get(id);
-            let around = tree
-                .parent(id)
-                .filter(|&id| tree.get(id).kind == XKind::Element);
-            let parent = around.map_or("", |id| tree.get(id).text.as_str());
-            let (of_link, of_joint) = match (node.text.as_str(), parent) {
-                ("link", _) => (Some("name"), None),
-                ("joint", _) => (None, Some("name")),
-                ("parent" | "child", "joint") => (Some("link"), None),
-                ("mimic", _) => (None, Some("joint")),
-                ("gazebo", _) => (Some("reference"), Some("reference")),
-                _ => (None, None),
-            };
-            let maps = [(&mut found.links, of_link), (&mut found.joints, of_joint)];
-            for (map, attr) in maps {
-                if let Some(attr) = attr
-                    && let Some(value) = tree.attr(id, attr)
-                {
-                    map.entry(value.value.clone()).or_default().push((id, attr));
-                }
-            }
-            open.extend(tree.elements(id));
-        }
-        found
-    }
-
-    fn of_element(&self, named: NamedElement) -> &Mentions {
-        match named {
-            NamedElement::Link => &self.links,
-            NamedElement::Joint => &self.joints,
-        }
-    }
 }

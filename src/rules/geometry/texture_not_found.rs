@@ -38,7 +38,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let Some(file) = material
             .texture_file
             .as_ref()
-            .filter(|file| file.is_known())
+            // the exporter of SolidWorks writes `package://name/textures/` where there is no texture
+            .filter(|file| file.is_known() && !file.value.trim().ends_with('/'))
         else {
             continue;
         };

@@ -1,7 +1,7 @@
 //! Principal moments of inertia.
 use std::sync::Arc;
 
-use ecow::EcoString;
+use ecow::{EcoString, eco_format};
 use nalgebra::{Matrix3, SymmetricEigen};
 
 use super::super::context::DocumentCx;
@@ -45,8 +45,8 @@ pub(super) struct Judged {
 pub(super) struct Impossible {
     /// In rising order, kg m^2.
     pub moments: [f64; 3],
-    /// The same for people.
-    pub shown: [String; 3],
+    /// What is wrong with them.
+    pub said: EcoString,
     /// Whether it may be so by the digits that were left out.
     pub is_rounded: bool,
     /// What is the same of inertias with the same numbers.
@@ -64,9 +64,12 @@ pub(super) fn judged(inertial: &Inertial) -> Arc<Judged> {
             Some(InertiaClass::Definite(moments @ [a, b, c]))
                 if a + b < c * (1.0 - ROUNDING_OF_SUM) =>
             {
+                let [least, middle, most] = moments.map(short);
                 Some(Impossible {
                     moments,
-                    shown: moments.map(short),
+                    said: eco_format!(
+                        "is impossible: moment {most} exceeds the sum of {least} and {middle}"
+                    ),
                     is_rounded: is_rounded(inertial, c - a - b, c),
                     numbers: same_numbers(inertial),
                 })

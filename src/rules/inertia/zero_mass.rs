@@ -35,7 +35,10 @@ fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
         .is_none_or(|class| class == InertiaClass::Zero);
     let is_frame = !link.has_geometry() && no_inertia;
     let is_object = no_inertia && cx.robot.is_some_and(Robot::is_rigid);
-    let harmless = is_frame || is_object || no_inertia && !is_simulated(cx) || is_joined(cx, link);
+    // simulators take the link for the world, and do not read it
+    let is_world = link.shown() == "world" && cx.joints_above("world").next().is_none();
+    let harmless =
+        is_world || is_frame || is_object || no_inertia && !is_simulated(cx) || is_joined(cx, link);
     let severity = if harmless {
         Severity::Info
     } else {

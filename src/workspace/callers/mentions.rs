@@ -42,6 +42,8 @@ pub(super) struct TextMentions {
     takes_yaml: bool,
     /// Whether a launch file or program plans or controls something, or simulates it.
     pub moves: bool,
+    /// Whether a launch file, a program or what configures them may publish the states of joints.
+    publishes_states: bool,
     /// What texts that run something, and descriptions, say of programs, where they say something.
     says: FastMap<PathBuf, TextWords>,
     /// Whether there is a model for MuJoCo or Isaac, which they read instead of a description.
@@ -81,6 +83,14 @@ impl Callers {
             !mentions.is_whole || mentions.with_packages(file).any(is_its)
         };
         self.mentions(file).is_none_or(is_it)
+    }
+
+    /// Whether nothing around a launch file publishes the states of joints: robot_state_publisher publishes those alone that do not
+    /// move.
+    pub fn leave_joints_alone(&self, launch: &Path) -> bool {
+        self.mentions(launch).is_some_and(|mentions| {
+            mentions.is_whole && !mentions.moves && !mentions.publishes_states
+        })
     }
 
     /// Whether there are launch files or programs around a YAML file, and none of them can load it: the name is in no text but in
@@ -248,6 +258,7 @@ impl TextMentions {
         let words = TextWords::of(text);
         let is_run = !is_description && !is_page;
         self.moves |= is_run && words.simulates();
+        self.publishes_states |= is_run && words.publishes_states();
         self.has_own_model |= words.is_own_model();
         self.refuses |= !is_page && words.refuses();
         let may_start =

@@ -35,9 +35,11 @@ const CONTROLS: u32 = 1 << 14;
 const CLASSIC: u32 = 1 << 15;
 /// Only the exporter of SolidWorks writes this, into the launch file for Gazebo beside each robot.
 const EXPORTED: u32 = 1 << 16;
+/// Something may publish the states of joints.
+const STATES: u32 = 1 << 17;
 
 /// The words, also as parts of others, and what each of them says.
-const WORDS: [(&str, u32); 61] = [
+const WORDS: [(&str, u32); 64] = [
     ("gazebo", MASSES | TRIANGLES | SIMULATES),
     ("gazebo_ros", CLASSIC),
     ("gzserver", CLASSIC),
@@ -100,6 +102,9 @@ const WORDS: [(&str, u32); 61] = [
     ("fake_joint_calibration", EXPORTED),
     ("<plugin", GAZEBO_PART),
     ("<sensor", GAZEBO_PART),
+    ("joint_state", STATES),
+    ("joint-state", STATES),
+    ("JointState", STATES),
 ];
 
 impl TextWords {
@@ -192,6 +197,11 @@ impl TextWords {
     /// Whether a description has something that only Gazebo runs.
     pub const fn is_for_gazebo(self) -> bool {
         self.has(GAZEBO_TAG | GAZEBO_PART)
+    }
+
+    /// Whether a text may publish the states of joints.
+    pub const fn publishes_states(self) -> bool {
+        self.has(STATES)
     }
 
     /// Whether a program builds the configuration of MoveIt from the names of packages.
