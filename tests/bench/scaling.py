@@ -28,7 +28,7 @@ INERTIAL = '<inertial><mass value="{m}"/><inertia ixx="1" ixy="0" ixz="0" iyy="1
 KINDS = {
     # links and joints
     'links without joints': '<link name="l{i}"/>',
-    'links that are not there': '<joint name="j{i}" type="fixed"><parent link="p{i}"/><child link="c{i}"/></joint>',
+    'links that are missing': '<joint name="j{i}" type="fixed"><parent link="p{i}"/><child link="c{i}"/></joint>',
     'one link twice': '<link name="a"/>',
     'one joint twice': '<joint name="j" type="fixed"><parent link="a"/><child link="a"/></joint>',
     'several parents': '<joint name="j{i}" type="fixed"><parent link="p{i}"/><child link="a"/></joint><link name="p{i}"/>',
@@ -57,9 +57,9 @@ KINDS = {
     # materials and meshes
     'materials that nothing uses': '<material name="m{i}"><color rgba="1 1 1 2"/></material>',
     'one material twice': '<material name="m"><color rgba="1 {i} 1 1"/></material>',
-    'materials that are not there': '<link name="l{i}"><visual><geometry><sphere radius="1"/></geometry><material name="u{i}"/>'
+    'materials that are missing': '<link name="l{i}"><visual><geometry><sphere radius="1"/></geometry><material name="u{i}"/>'
                                     '</visual></link>',
-    'meshes that are not there': '<link name="l{i}"><visual name="v"><geometry><mesh filename="package://p{i}/a.stl"/></geometry>'
+    'meshes that are missing': '<link name="l{i}"><visual name="v"><geometry><mesh filename="package://p{i}/a.stl"/></geometry>'
                                  '</visual><collision><geometry><mesh filename="x{i}.stl" scale="1000 1 1"/></geometry></collision></link>',
     # control and Gazebo
     'sensors on links': LINK + '<gazebo reference="l{i}"><sensor name="s{i}" type="ray"><ray/></sensor></gazebo>',
@@ -80,15 +80,15 @@ KINDS = {
     # xacro
     'arguments': '<xacro:arg name="a{i}" default="1"/>',
     'properties that need each other': '<xacro:property name="p{i}" value="${{p{p}+1}}"/>',
-    'properties that are not there': '<link name="${{q{i}}}"/>',
+    'properties that are missing': '<link name="${{q{i}}}"/>',
     'macros': '<xacro:macro name="m{i}" params="x y:=1 *b"><link name="l${{x}}"/></xacro:macro>',
     'one macro twice': '<xacro:macro name="m" params="x"><link name="l"/></xacro:macro>',
     'macros with calls': '<xacro:macro name="m{i}" params="x"><link name="${{x}}"/></xacro:macro><xacro:m{i} x="l{i}"/>',
     'macros with blocks': '<xacro:macro name="m{i}" params="*b"><xacro:insert_block name="b"/></xacro:macro>'
                           '<xacro:m{i}><link name="l{i}"/></xacro:m{i}>',
-    'macros that are not there': '<xacro:zz{i}/>',
+    'macros that are missing': '<xacro:zz{i}/>',
     'tags without their prefix': '<property name="p{i}" value="1"/><include filename="f{i}.xacro"/>',
-    'includes that are not there': '<xacro:include filename="f{i}.xacro"/>',
+    'includes that are missing': '<xacro:include filename="f{i}.xacro"/>',
     'conditions': '<xacro:if value="${{x{i}}}"><link name="l{i}"/></xacro:if>',
     'text': 'hello {i} <link name="l{i}"/> --&gt;',
     'unknown tags': '<foo{i}/>',
