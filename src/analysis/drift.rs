@@ -196,7 +196,7 @@ impl Session {
             .filter(|call| call.target.as_deref() == Some(source))
         {
             let known = call.call.args.iter().filter_map(|argument| {
-                let value = argument.value.value(&self.packages, &call.call.caller)?;
+                let value = argument.given(&self.packages, &call.call.caller)?;
                 Some((argument.name.clone(), value))
             });
             add_generation(&mut variants, source, known.collect(), false);

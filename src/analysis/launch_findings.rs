@@ -99,7 +99,7 @@ impl Session {
                 continue;
             };
             let before = found.len();
-            self.findings_of(group, known, found);
+            self.findings_of(group, calls, known, found);
             self.lower_left_over(&call.call.caller, found, before);
         }
         group_by_argument(found);
@@ -205,10 +205,11 @@ impl Session {
         unknown.map(with_near).collect()
     }
 
-    /// What is wrong in one call, with all the arguments that its launch file is included with.
+    /// What is wrong in one call among others, with all the arguments that its launch file is included with.
     fn findings_of(
         &self,
         group: &[RobotCall],
+        calls: &[RobotCall],
         known: &mut BTreeMap<PathBuf, Arc<KnownArguments>>,
         found: &mut Vec<Finding>,
     ) {
@@ -250,7 +251,8 @@ impl Session {
             // a value that is always the same, for a robot that knows nothing like it
             let is_idle = near.is_none()
                 && argument.is_fixed(call.call.range)
-                && !names.any(|known| is_like(known, name));
+                && !names.any(|known| is_like(known, name))
+                || self.is_for_the_robot(call, calls, name);
             found.push(unknown_launch_argument(
                 span,
                 name,
@@ -269,6 +271,24 @@ impl Session {
         [("Condition(", '\n'), (" if=\"", '"'), (" unless=\"", '"')]
             .into_iter()
             .any(|(before, after)| has_name_between(&file.text, name, before, after))
+    }
+
+    /// Whether a call makes an SRDF, and another one of its launch file makes a robot that knows the argument: both get one list.
+    fn is_for_the_robot(&self, call: &RobotCall, calls: &[RobotCall], name: &str) -> bool {
+        let is_srdf = |call: &RobotCall| {
+            let target = call.target.as_deref().and_then(Path::file_name);
+            target.is_some_and(|file| file.to_string_lossy().contains(".srdf"))
+        };
+        let gives = |other: &&RobotCall| {
+            other.call.caller == call.call.caller
+                && !is_srdf(other)
+                && other.call.args.iter().any(|argument| argument.name == name)
+        };
+        let mut robots = calls
+            .iter()
+            .filter(gives)
+            .filter_map(|other| other.target.as_deref());
+        is_srdf(call) && robots.any(|robot| self.known(robot).names.contains(name))
     }
 
     /// The arguments that a description and everything that it may include declare or read, in any branch.

@@ -1,5 +1,7 @@
 //! What is wrong in the calls of launch files.
+use crate::set_aside_tests::found;
 use crate::{CheckOptions, Session, Setup};
+use rules::Severity;
 use vfs::testing::Tree;
 
 const ROBOT: &str = "<robot name='r' xmlns:xacro='x'><xacro:arg name='use_sim' default='false'/>\
@@ -210,4 +212,47 @@ fn descriptions_that_the_same_launch_file_expands_too() {
         &format!("<param name='robot_description' command='xacro {path}'/>"),
         &[],
     );
+}
+
+#[test]
+fn arguments_of_a_robot_that_its_srdf_gets_as_well() {
+    let robot = "<robot name='arm' xmlns:xacro='x'><xacro:arg name='size' default='1'/><link name='a$(arg size)'/></robot>";
+    let srdf = "<robot name='arm' xmlns:xacro='x'/>";
+    let call = |name: &str, file: &str| {
+        format!("<param name='{name}' command='xacro $(find arm)/{file} size:=2'/>")
+    };
+    let check = |calls: &str, expected: Severity| {
+        let launch = format!("<launch>{calls}</launch>");
+        let files = [
+            ("package.xml", "<package><name>arm</name></package>"),
+            ("urdf/arm.urdf.xacro", robot),
+            ("config/arm.srdf.xacro", srdf),
+            ("launch/view.launch", &launch),
+        ];
+        let found = found(&files, "unknown-launch-argument");
+        let severities: Vec<Severity> = found.iter().map(|one| one.1).collect();
+        assert_eq!(severities, [expected], "{launch}");
+    };
+    let own = call("robot_description_semantic", "config/arm.srdf.xacro");
+    let both = call("robot_description", "urdf/arm.urdf.xacro") + &own;
+    check(&both, Severity::Info);
+}
+
+#[test]
+fn a_word_without_a_value_leaves_the_default() {
+    let robot = "<robot name='arm' xmlns:xacro='x'><xacro:arg name='prefix' default='arm_'/><link name='$(arg prefix)base'/>\
+                 <link name='tip'/><joint name='j' type='fixed'><parent link='arm_base'/><child link='tip'/></joint></robot>";
+    let count = |word: &str| {
+        let launch = format!(
+            "<launch><param name='robot_description' command='xacro $(find arm)/urdf/arm.urdf.xacro {word}'/></launch>"
+        );
+        let files = [
+            ("package.xml", "<package><name>arm</name></package>"),
+            ("urdf/arm.urdf.xacro", robot),
+            ("launch/view.launch", &launch),
+        ];
+        found(&files, "undefined-link").len()
+    };
+    assert_eq!(count("prefix:="), 0);
+    assert_eq!(count("prefix:=left_"), 1);
 }

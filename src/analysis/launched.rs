@@ -99,13 +99,18 @@ impl Session {
     /// The arguments of a call, where all of them are known.
     fn known_args(&self, call: &RobotCall) -> Option<XacroArgs> {
         let value = |argument: &workspace::launch::CallArgument| {
-            let value = argument.value.value(&self.packages, &call.call.caller)?;
+            let value = argument.given(&self.packages, &call.call.caller)?;
             Some((argument.name.clone(), value))
         };
         if call.call.open {
             None
         } else {
-            call.call.args.iter().map(value).collect()
+            let given = call
+                .call
+                .args
+                .iter()
+                .filter(|argument| !argument.is_left_out());
+            given.map(value).collect()
         }
     }
 

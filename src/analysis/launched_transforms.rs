@@ -90,7 +90,7 @@ impl<'s> LaunchedTransforms<'s> {
             .clone()
             .filter(|file| session.vfs.is_file(file))?;
         let args = call.call.args.iter().filter_map(|argument| {
-            let value = argument.value.value(&session.packages, caller)?;
+            let value = argument.given(&session.packages, caller)?;
             Some((argument.name.clone(), value))
         });
         let args: XacroArgs = args.collect();

@@ -542,3 +542,27 @@ fn parts_need_no_name() {
     assert_eq!(severity(&robot("paint.urdf")), None);
     assert_eq!(severity(&robot("other.urdf")), Some(Severity::Error));
 }
+
+#[test]
+fn a_launch_file_that_means_another_folder_uses_no_copy() {
+    let robot = "<robot name='r'><link name='base'/><link name='base'/></robot>";
+    let severity = |path: &str| {
+        let launch =
+            format!("<launch><param name='robot_description' textfile='{path}'/></launch>");
+        let files = [
+            ("package.xml", &*manifest("arm", "me@lab.org")),
+            ("urdf_backup/arm.urdf", robot),
+            (
+                "urdf/other.urdf",
+                "<robot name='o'><link name='base'/></robot>",
+            ),
+            ("launch/a.launch", &launch),
+        ];
+        severity_in("duplicate-link-name", &files)
+    };
+    assert_eq!(severity("$(find arm)/urdf/arm.urdf"), Some(Severity::Info));
+    assert_eq!(
+        severity("$(find arm)/urdf_backup/arm.urdf"),
+        Some(Severity::Error)
+    );
+}

@@ -239,7 +239,11 @@ impl Session {
         };
         // a page that is no instruction says of a file that is kept just this
         let mentions = |by: &Path| is_page(by) && self.is_kept(file) && !self.has_path(by, file);
-        let counts = |by: &Path| !(self.is_launch_left_over(by) || mentions(by));
+        // a text that loads it from the folder in which it was before finds nothing there
+        let means_old = |by: &Path| {
+            self.is_kept(file) && self.packages.is_text(by, |text| is_elsewhere(text, file))
+        };
+        let counts = |by: &Path| !(self.is_launch_left_over(by) || mentions(by) || means_old(by));
         self.callers.name_where(file, counts) || self.callers.name(file) && are_all_kept()
     }
 
@@ -376,6 +380,29 @@ impl Session {
         let gives = |call: &RobotCall| call.call.args.iter().any(|argument| argument.name == name);
         calls.peek().is_some() && calls.all(gives)
     }
+}
+
+/// Whether a text names a file in other folders than that in which it is, and nowhere without a folder.
+fn is_elsewhere(text: &str, file: &Path) -> bool {
+    let part = |path: Option<&OsStr>| path.and_then(OsStr::to_str).unwrap_or_default().to_owned();
+    let (name, own) = (
+        part(file.file_name()),
+        part(file.parent().and_then(Path::file_name)),
+    );
+    let is_of_name = |c: char| c.is_alphanumeric() || matches!(c, '_' | '-' | '.');
+    let mut places = text
+        .match_indices(&*name)
+        .filter_map(|(at, _)| text.get(..at))
+        .filter(|before| !before.ends_with(is_of_name))
+        .peekable();
+    places.peek().is_some()
+        && places.all(|before| {
+            let folder = before.strip_suffix('/').map(|rest| {
+                let mut parts = rest.rsplit(|c| !is_of_name(c));
+                parts.next().unwrap_or_default()
+            });
+            folder.is_some_and(|folder| !folder.is_empty() && folder != own)
+        })
 }
 
 /// Whether a robot has a plugin or sensor of Gazebo.

@@ -10,6 +10,8 @@ use base::FastMap;
 pub(super) struct Ends {
     /// Links by their name.
     pub(super) links: Chains,
+    /// Joints by their name.
+    pub(super) joints: Chains,
     /// Joints by the name of their child.
     pub(super) above: Chains,
     /// Joints by the name of their parent.
@@ -22,10 +24,12 @@ impl Ends {
             let name = link.name.as_ref().map(|name| name.value.clone());
             Some(name.unwrap_or_default())
         });
+        let name = |joint: &super::Joint| Some(joint.name.as_ref()?.value.clone());
         let child = |joint: &super::Joint| Some(joint.child.as_ref()?.value.clone());
         let parent = |joint: &super::Joint| Some(joint.parent.as_ref()?.value.clone());
         Self {
             links: Chains::of(links),
+            joints: Chains::of(robot.joints.iter().map(name)),
             above: Chains::of(robot.joints.iter().map(child)),
             below: Chains::of(robot.joints.iter().map(parent)),
         }
@@ -52,12 +56,6 @@ impl Chains {
                 .and_then(|(name, index)| first.insert(name, index));
         }
         Self { first, next }
-    }
-
-    /// Joints by their name.
-    pub(super) fn of_joints(robot: &Robot) -> Self {
-        let name = |joint: &super::Joint| Some(joint.name.as_ref()?.value.clone());
-        Self::of(robot.joints.iter().map(name))
     }
 
     /// The indices of a name, in order.

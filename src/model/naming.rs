@@ -1,11 +1,9 @@
 //! What rests on names alone: how links hang together, and which names are unusual. An edit of a number changes none of it, so
 //! the robot after it shares this with the one before.
-use std::sync::OnceLock;
-
 use ecow::EcoString;
 
 use super::attr_value::AttrValue;
-use super::ends::{Chains, Ends};
+use super::ends::Ends;
 use super::joint::Joint;
 use super::kinematics::Kinematics;
 use super::link::Link;
@@ -36,8 +34,6 @@ pub struct Naming {
     pub missing_parent: Option<EcoString>,
     /// Which joints end where.
     pub(super) ends: Ends,
-    /// Joints by their name, once somebody has asked.
-    pub(super) joints: OnceLock<Chains>,
 }
 
 /// What names and ends may hold. What is said not to be there is not there; where it is, nobody knows.
@@ -82,7 +78,6 @@ impl Naming {
             has_loop: robot.joints.iter().any(is_loop),
             missing_parent: missing_parent(robot, &kinematics),
             ends: Ends::of(robot),
-            joints: OnceLock::new(),
             kinematics,
         }
     }

@@ -3,7 +3,6 @@ use std::sync::{Arc, OnceLock};
 
 use super::attr_value::AttrValue;
 use super::blocks::{Gazebo, Ros2Control, Transmission};
-use super::ends::Chains;
 use super::joint::{Joint, JointType};
 use super::kept::Kept;
 use super::kinematics::Kinematics;
@@ -137,9 +136,8 @@ impl Robot {
 
     /// The first joint of a name.
     pub fn joint(&self, name: &str) -> Option<&Joint> {
-        let naming = self.naming();
-        let joints = naming.joints.get_or_init(|| Chains::of_joints(self));
-        self.joints.get(joints.named(name).next()?)
+        let joint = self.naming().ends.joints.named(name).next()?;
+        self.joints.get(joint)
     }
 
     /// The first link of a name.

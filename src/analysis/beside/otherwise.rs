@@ -81,7 +81,7 @@ impl Session {
         let mut found: Vec<XacroArgs> = Vec::new();
         for call in self.robot_calls(&root.file).iter() {
             let known = call.call.args.iter().filter_map(|argument| {
-                let value = argument.value.value(&self.packages, &call.call.caller)?;
+                let value = argument.given(&self.packages, &call.call.caller)?;
                 Some((argument.name.clone(), value))
             });
             let known: XacroArgs = known.collect();

@@ -285,7 +285,7 @@ impl Session {
             .as_ref()
             .filter(|file| self.is_robot(file) || self.collects(file))?;
         let args = call.call.args.iter().filter_map(|argument| {
-            let value = argument.value.value(&self.packages, &call.call.caller)?;
+            let value = argument.given(&self.packages, &call.call.caller)?;
             Some((argument.name.clone(), value))
         });
         Some(RootConfig {

@@ -92,7 +92,7 @@ impl Callers {
         let given = |RobotCall { call, .. }: &RobotCall| {
             let args = call.args.iter().map(|argument| GivenArg {
                 name: argument.name.clone(),
-                value: argument.value.value(&self.packages, &call.caller),
+                value: argument.given(&self.packages, &call.caller),
             });
             args.collect()
         };

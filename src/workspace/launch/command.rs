@@ -133,7 +133,12 @@ pub(super) fn of_words(words: Vec<CommandWord>) -> Option<ParsedCommand> {
         } else if let Some((name, range, value)) = assignment(&word) {
             match name {
                 Some(name) if name.starts_with('_') => {}
-                Some(name) => args.push(CallArgument { name, range, value }),
+                Some(name) => args.push(CallArgument {
+                    name,
+                    range,
+                    value,
+                    is_word: true,
+                }),
                 None => open = true,
             }
         } else if file.is_none() {

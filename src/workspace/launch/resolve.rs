@@ -41,6 +41,9 @@ pub struct CallArgument {
     pub range: Option<TextRange>,
     /// Its value.
     pub value: CommandWord,
+    /// Whether it is a word `name:=value` of a command. Without a value, xacro passes over such a word. Source: `load_mappings` in
+    /// `cli.py` of xacro 2.1.1.
+    pub is_word: bool,
 }
 
 /// A word of a command.
@@ -277,6 +280,19 @@ impl LaunchCall {
 }
 
 impl CallArgument {
+    /// The value that xacro gets, where it is known and it gets one.
+    pub fn given(&self, packages: &Packages, from: &Path) -> Option<String> {
+        self.value
+            .value(packages, from)
+            .filter(|_| !self.is_left_out())
+    }
+
+    /// Whether xacro passes over it: it is a word without a value.
+    pub fn is_left_out(&self) -> bool {
+        let is_empty = |bit: &Bit| matches!(bit, Bit::Text(text, _) if text.trim().is_empty());
+        self.is_word && self.value.0.iter().all(is_empty)
+    }
+
     /// Whether nobody who starts the launch file can give another value: it stands in the call at `range`, or is computed.
     pub fn is_fixed(&self, range: TextRange) -> bool {
         self.value.0.iter().all(|bit| match bit {
@@ -554,6 +570,7 @@ impl<'a> Resolver<'a> {
                     name: given.name.clone(),
                     range: given.range,
                     value: self.word(&given.value),
+                    is_word: false,
                 });
                 Some(ParsedCommand {
                     file: self.word(file),
