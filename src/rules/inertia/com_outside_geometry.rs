@@ -78,12 +78,9 @@ fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
         .done();
 }
 
-/// Whether numbers were made up so that a simulation runs: the center at the frame and the same moment about all axes, or moments
-/// of one.
+/// Whether numbers were made up so that a simulation runs: the center at the frame, and the same moment about all axes.
 fn is_made_up(inertial: &Inertial, center: [f64; 3]) -> bool {
-    let entries = inertial.entries();
-    entries == Some([1.0, 0.0, 0.0, 1.0, 0.0, 1.0])
-        || center == [0.0; 3] && entries.is_some_and(is_same_about_all_axes)
+    center == [0.0; 3] && inertial.entries().is_some_and(is_same_about_all_axes)
 }
 
 /// Whether a point outside of a box is close to it, where it may be the center of what is not drawn; a marker is close to
