@@ -4,7 +4,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::joined::{LIGHT, is_in_world, is_joined};
 use super::moments::{InertiaClass, inertia_tag, judged};
-use model::{JointType, Link};
+use model::Link;
 
 pub(super) static RULE: Rule = Rule {
     code: "INR003",
@@ -21,17 +21,6 @@ pub(super) static RULE: Rule = Rule {
 /// Up to this mass in kg, a link has one only because its exporter writes one.
 const NOTHING: f64 = 1e-5;
 
-/// Whether bodies are fixed to a link: simulators join all of them to one, whose inertia comes from the distances between them.
-fn carries_bodies(cx: &DocumentCx<'_>, link: &Link) -> bool {
-    let mut fixed = cx
-        .joints_below(link.shown())
-        .filter(|joint| joint.is(&[JointType::Fixed]))
-        .filter_map(|joint| joint.child.as_ref())
-        .flat_map(|child| cx.links_named(&child.value))
-        .filter_map(|child| child.inertial.as_ref()?.mass());
-    fixed.any(|mass| mass > NOTHING)
-}
-
 fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
     let Some(inertial) = &link.inertial else {
         return;
@@ -43,11 +32,8 @@ fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
         let is_frame = !link.has_geometry() && inertial.mass().is_some_and(|mass| mass <= LIGHT);
         // a kinematic link goes where it is put
         let is_placed = || cx.is_set_for(Some(link.shown()), "kinematic");
-        let without_effect = is_frame
-            || is_joined(cx, link)
-            || carries_bodies(cx, link)
-            || is_in_world(cx, link)
-            || is_placed();
+        let without_effect =
+            is_frame || is_joined(cx, link) || is_in_world(cx, link) || is_placed();
         let severity = if without_effect {
             Severity::Info
         } else {
