@@ -538,3 +538,23 @@ fn robots_for_gazebo_that_nothing_here_simulates() {
         Some(Severity::Info)
     );
 }
+
+#[test]
+fn fans_of_ros2_control_before_jazzy() {
+    let of = |interface: &str, page: &str| {
+        let robot = format!(
+            "<robot name='r'><link name='base'/><link name='a'/><joint name='j' type='continuous'><parent link='base'/><child link='a'/></joint>\
+             <ros2_control name='c' type='system'><hardware><plugin>x/Y</plugin></hardware><joint name='fan'>\
+             <command_interface name='{interface}'/></joint></ros2_control></robot>"
+        );
+        let files = [
+            ("package.xml", "<package><name>r</name></package>"),
+            ("README.md", page),
+            ("urdf/r.urdf", &robot),
+        ];
+        severity("ros2-control-unknown-joint", &files)
+    };
+    assert_eq!(of("state", "For Humble."), Some(Severity::Info));
+    assert_eq!(of("state", "For Jazzy."), Some(Severity::Error));
+    assert_eq!(of("position", "For Humble."), Some(Severity::Error));
+}
