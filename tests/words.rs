@@ -229,6 +229,7 @@ fn messages_follow_the_style_guide() {
     }
     for (number, (place, files)) in cases().into_iter().enumerate() {
         let folder = folder.join("cases").join(number.to_string());
+        fs::create_dir_all(folder.join(".git")).unwrap();
         for (name, content) in &files {
             let path = folder.join(name);
             fs::create_dir_all(path.parent().unwrap()).unwrap();

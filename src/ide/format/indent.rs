@@ -98,8 +98,8 @@ fn is_step(step: &str) -> bool {
 /// The white space in front of what begins its line.
 fn margin(text: &str, range: TextRange) -> Option<&str> {
     let before = text.get(..range.start as usize)?;
-    let line = before.rfind('\n').map_or(0, |at| at + 1);
-    before
-        .get(line..)
-        .filter(|margin| margin.bytes().all(|byte| matches!(byte, b' ' | b'\t')))
+    // from the end: a line may be as long as the file
+    let rest = before.trim_end_matches([' ', '\t']);
+    let begins = rest.is_empty() || rest.ends_with('\n');
+    begins.then(|| before.get(rest.len()..))?
 }

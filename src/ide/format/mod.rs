@@ -106,7 +106,8 @@ impl<'a> FormatWriter<'a> {
     }
 
     fn advance(&mut self, text: &str) {
-        self.column = match text.rfind(['\n', '\r']) {
+        let mut bytes = text.bytes();
+        self.column = match bytes.rposition(|byte| matches!(byte, b'\n' | b'\r')) {
             Some(at) => width(text.get(at + 1..).unwrap_or(""), 0, self.indent.tab),
             None => self.column + width(text, self.column, self.indent.tab),
         };
