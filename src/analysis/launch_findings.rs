@@ -369,16 +369,17 @@ fn group_by_argument(found: &mut [Finding]) {
     const SEVERAL: usize = 3;
     let name = |finding: &Finding| {
         let is_it = finding.rule == named::UNKNOWN_LAUNCH_ARGUMENT && finding.group.is_some();
-        let name = finding.message.split('`').nth(1).filter(|_| is_it);
-        name.map(str::to_owned)
+        let name = finding.message.split('`').nth(1).filter(|_| is_it)?;
+        // infos make no group with warnings
+        Some((name.to_owned(), finding.severity))
     };
-    let mut count: BTreeMap<String, usize> = BTreeMap::new();
+    let mut count: BTreeMap<(String, Severity), usize> = BTreeMap::new();
     for name in found.iter().filter_map(name) {
         *count.entry(name).or_default() += 1;
     }
     for finding in found {
-        if let Some(name) = name(finding).filter(|name| count.get(name) >= Some(&SEVERAL)) {
-            finding.group = Some(Group::Value(format!("argument {name}").into()));
+        if let Some(key) = name(finding).filter(|key| count.get(key) >= Some(&SEVERAL)) {
+            finding.group = Some(Group::Value(format!("argument {}", key.0).into()));
         }
     }
 }

@@ -73,6 +73,8 @@ mod generated_tests;
 #[cfg(test)]
 mod launch_findings_tests;
 #[cfg(test)]
+mod launched_otherwise_tests;
+#[cfg(test)]
 mod left_over_tests;
 #[cfg(test)]
 mod made_elsewhere_tests;

@@ -23,11 +23,13 @@ pub(super) fn read_as_yaml(
     file: &Path,
     expansion: &Expansion,
 ) -> Option<Finding> {
-    // the text is asked first: who launches the robot costs every launch file of the workspace
-    if !expansion.whole || !may_stop(expansion) {
+    if !expansion.whole {
         return None;
     }
     let reader = launch_file(session, file).or_else(|| plugin(session, file, expansion))?;
+    if !may_stop(expansion) {
+        return None;
+    }
     let name = expansion.files.first().map_or("", |file| &file.name);
     let written = write_mapped(&expansion.tree, name);
     let (at, sign) = if reader.is_certain {

@@ -8,10 +8,19 @@ use super::check_task::CheckReason;
 use super::options::CheckOptions;
 use super::root_result::RootResult;
 use super::session::Session;
+use super::walk::is_launch;
 use base::{FastMap, FastSet, FileId};
 use project::{Controller, YamlSettings};
 use rules::{Finding, Severity, Trait, named};
 use workspace::{has_name, without_comments};
+
+/// What a launch file has that loads settings of MoveIt or of controllers.
+const LOADS: [&str; 4] = [
+    ".srdf",
+    ".yaml",
+    "MoveItConfigsBuilder",
+    "robot_description_semantic",
+];
 
 impl Session {
     /// The files that were read for robots which this workspace uses; none when nothing in it was copied from others. What is
@@ -79,7 +88,8 @@ impl Session {
             let is_idle = || {
                 self.is_left_behind(file)
                     || self.is_unread(file)
-                    || sort(file) == Some(Sort::Srdf) && self.is_for_tests(file)
+                    || self.is_for_tests(file)
+                    || self.is_outside_the_build(file)
             };
             !asked.contains(file) && is_idle()
         });
@@ -222,6 +232,36 @@ impl Session {
             && is_plain
             && self.callers.leave_srdf_alone(file)
             && self.callers.load_another(file)
+    }
+
+    /// Whether nobody names a file of a package that is not built, or of one for ROS 2 whose launch files are all for ROS 1.
+    fn is_outside_the_build(&self, file: &Path) -> bool {
+        let is_idle = || self.packages.is_never_built(file) || self.is_launched_by_ros1(file);
+        is_idle() && !self.is_named_in_use(file)
+    }
+
+    /// Whether a package of the setup assistant is for ROS 2, launch files for ROS 1 would read its settings, and nothing else does.
+    fn is_launched_by_ros1(&self, file: &Path) -> bool {
+        let package = self.packages.containing(file);
+        let Some(folder) = package.map(|package| package.folder) else {
+            return false;
+        };
+        // elsewhere a program may find settings by a name that it computes
+        if !self.vfs.is_file(&folder.join(".setup_assistant")) {
+            return false;
+        }
+        let launches = folder.join("launch");
+        let all = self.vfs.list_dir(&launches);
+        let files = all.iter().map(|entry| launches.join(&entry.name));
+        let (old, new): (Vec<PathBuf>, Vec<PathBuf>) = files
+            .filter(|path| is_launch(path))
+            .partition(|path| self.callers.is_launch_of_ros1(path));
+        // a program may compute the name
+        let may_load = |path: &PathBuf| {
+            self.packages
+                .is_text(path, |text| LOADS.iter().any(|word| text.contains(word)))
+        };
+        !old.is_empty() && !new.iter().any(may_load) && !self.callers.build_package_for_moveit(file)
     }
 
     /// Whether a file lists controllers or configures them and no text names it, while texts name another one of its package.

@@ -152,6 +152,10 @@ impl Session {
             self.lower_where(findings, is_slow, || {
                 self.callers.name(file).then_some(Severity::Info)
             });
+            // in a viewer, a joint that follows another one has no slider
+            let is_shown = is_shown && !purpose.is_met && !purpose.is_controlled;
+            let is_range = about(named::MIMIC_RANGE_EXCEEDS_LIMITS);
+            self.lower_where(findings, is_range, || is_shown.then_some(Severity::Info));
             return;
         }
         let is_unreached = may_be_unreached && !purpose.is_loaded && self.is_unreached(file);
@@ -258,9 +262,8 @@ impl Session {
     /// Whether nobody runs a launch file: it is kept, in a package that was put aside or is not built, or for ROS 1 in a package for
     /// ROS 2.
     pub(super) fn is_launch_left_over(&self, file: &Path) -> bool {
-        let is_of_ros1 = file.extension().is_some_and(|ending| ending == "launch");
         self.is_kept(file)
-            || is_of_ros1 && self.packages.is_for_ament(file)
+            || self.callers.is_launch_of_ros1(file)
             || self.callers.is_put_aside(file)
             || self.packages.is_never_built(file)
     }

@@ -221,15 +221,20 @@ fn launch_files_that_nobody_runs() {
         let manifest = format!(
             "<package><name>arm</name><buildtool_depend>{build}</buildtool_depend></package>"
         );
-        let gone =
-            "<launch><param name='d' command=\"xacro '$(find arm)/urdf/gone.xacro'\"/></launch>";
+        let find = match name.ends_with(".xml") {
+            true => "find-pkg-share",
+            false => "find",
+        };
+        let gone = format!(
+            "<launch><param name='d' command=\"xacro '$({find} arm)/urdf/gone.xacro'\"/></launch>"
+        );
         let files = [
             ("package.xml", manifest.as_str()),
             (
                 "urdf/arm.urdf",
                 "<robot name='arm'><link name='base'/></robot>",
             ),
-            (name, gone),
+            (name, gone.as_str()),
         ];
         severity("launched-file-not-found", &files)
     };

@@ -1,6 +1,6 @@
 //! Packages that the build tools leave out: nothing runs from them.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use super::manifest::{MANIFEST, package_name};
 use super::root::is_built;
@@ -18,6 +18,9 @@ const CATKIN_WORKSPACE: &str = ".catkin_workspace";
 
 /// What builds a package.
 const BUILD_SCRIPTS: [&str; 2] = ["CMakeLists.txt", "setup.py"];
+
+/// Fewer packages than this do not tell what a folder is.
+const FEW: usize = 3;
 
 /// The folder of a workspace in which its packages lie.
 const SOURCES: &str = "src";
@@ -83,9 +86,20 @@ impl Packages {
         let outer = || package_name(&self.vfs, folder);
         let is_built = || BUILD_SCRIPTS.iter().any(|name| has(entries, name));
         has(entries, MANIFEST) && outer().is_some_and(|outer| outer == package.name || is_built())
-            || has(entries, CATKIN_WORKSPACE)
-                && has(entries, SOURCES)
+            || has(entries, SOURCES)
                 && !package.folder.starts_with(folder.join(SOURCES))
+                && (has(entries, CATKIN_WORKSPACE) || self.holds_most(folder, package))
+    }
+
+    /// Whether most packages around one for catkin are in the folder `src`: it is a workspace, of which catkin builds that folder.
+    fn holds_most(&self, folder: &Path, package: &Package) -> bool {
+        let sources = folder.join(SOURCES);
+        let are_most = |all: Vec<(String, PathBuf)>| {
+            let inside = all.iter().filter(|(_, other)| other.starts_with(&sources));
+            let inside = inside.count();
+            inside >= FEW && inside * 2 > all.len()
+        };
+        self.is_for_catkin(&package.folder.join(MANIFEST)) && are_most(self.below(folder))
     }
 }
 
@@ -158,5 +172,20 @@ mod tests {
         check_built(&[mark, built, beside], "src_old/arm/arm.urdf", false);
         check_built(&[mark, built, beside], "src/hand/hand.urdf", true);
         check_built(&[built, beside], "src_old/arm/arm.urdf", true);
+        // without the mark, where most packages are
+        let more = [("src/a/package.xml", CATKIN), ("src/b/package.xml", CATKIN)];
+        let most = [built, beside, more[0], more[1]];
+        check_built(&most, "src_old/arm/arm.urdf", false);
+        check_built(&most, "src/hand/hand.urdf", true);
+        check_built(
+            &[
+                built,
+                ("src_old/arm/package.xml", MANIFEST),
+                more[0],
+                more[1],
+            ],
+            "src_old/arm/arm.urdf",
+            true,
+        );
     }
 }

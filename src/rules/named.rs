@@ -47,6 +47,8 @@ pub const MISSING_ROBOT_NAME: &Rule = &xml::missing_robot_name::RULE;
 pub const INVALID_NAME: &Rule = &conventions::invalid_name::RULE;
 /// `ros2-control-duplicate-joint`
 pub const ROS2_CONTROL_DUPLICATE_JOINT: &Rule = &control::ros2_control_duplicate_joint::RULE;
+/// `mimic-range-exceeds-limits`
+pub const MIMIC_RANGE_EXCEEDS_LIMITS: &Rule = &joint::mimic_range_exceeds_limits::RULE;
 /// `zero-axis`
 pub const ZERO_AXIS: &Rule = &joint::zero_axis::RULE;
 /// `invalid-config`

@@ -264,8 +264,8 @@ impl Session {
     }
 
     /// For each of several robots, the controllers of a file that launch files name which start this robot and none of the others.
-    fn started_controllers(&self, own: &Beside, paired: &Paired) -> Vec<Vec<EcoString>> {
-        let controllers = own.settings().map(|settings| &settings.controllers);
+    fn started_controllers(&self, own_file: &Beside, paired: &Paired) -> Vec<Vec<EcoString>> {
+        let controllers = own_file.settings().map(|settings| &settings.controllers);
         let Some(controllers) =
             controllers.filter(|all| !all.is_empty() && paired.robots.len() > 1)
         else {
@@ -280,11 +280,30 @@ impl Session {
             let is_own =
                 |caller: &&PathBuf| all.iter().filter(|one| one.contains(*caller)).count() <= 1;
             let own: Vec<&PathBuf> = callers.iter().filter(is_own).collect();
-            let is_named = |name: &EcoString| own.iter().any(|caller| self.says(caller, name));
+            let starts = |caller: &Path, name: &str| {
+                self.says(caller, name) && !self.configures_elsewhere(caller, &own_file.path, name)
+            };
+            let is_named = |name: &EcoString| own.iter().any(|caller| starts(caller, name));
             let names = controllers.iter().map(|one| one.name.name.clone());
             names.filter(is_named).collect()
         };
         all.iter().map(names).collect()
+    }
+
+    /// Whether a launch file does not name a file of settings, but another one with parameters of a controller.
+    fn configures_elsewhere(&self, launch: &Path, file: &Path, controller: &str) -> bool {
+        let says = |file: &Path| {
+            let name = file.file_name().and_then(|name| name.to_str());
+            name.is_some_and(|name| self.says(launch, name))
+        };
+        let has_it = |other: &Path| {
+            self.beside_settings(other).is_some_and(|settings| {
+                let mut all = settings.controllers.iter();
+                all.any(|one| one.name.name == controller)
+            })
+        };
+        let around = self.beside_around(file);
+        !says(file) && around.iter().any(|other| says(other) && has_it(other))
     }
 
     /// The names that robots have with other values of their switches, and those that their texts spell out.

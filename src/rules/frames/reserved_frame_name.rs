@@ -3,7 +3,7 @@ use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::names::prefix_of;
-use model::{JointType, Link};
+use model::{Joint, JointType, Link};
 
 pub(super) static RULE: Rule = Rule {
     code: "FRM005",
@@ -44,8 +44,10 @@ fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
     }
 }
 
-/// Whether only joints that leave it free hang on a link: robot_state_publisher publishes none of them.
+/// Whether only joints that move hang on a link, and none fixes it: robot_state_publisher publishes none of them by itself, and a base
+/// that moves is meant.
 fn is_set_free(cx: &DocumentCx<'_>, link: &str) -> bool {
+    let moves = |joint: &Joint| joint.kind.is_some() && !joint.is(&[JointType::Fixed]);
     let mut below = cx.joints_below(link).peekable();
-    below.peek().is_some() && below.all(|joint| joint.is(&[JointType::Floating]))
+    below.peek().is_some() && below.all(moves) && cx.joints_above(link).all(moves)
 }

@@ -33,20 +33,28 @@ pub fn link_bounds(
     world: RuleEnv<'_>,
     link: &Link,
 ) -> Option<Bounds> {
-    let cx = DocumentCx::new(
+    let bodies = if link.visuals.is_empty() {
+        &link.collisions
+    } else {
+        &link.visuals
+    };
+    extent_of(&shapes_of(expansion, robot, world), bodies).bounds()
+}
+
+/// A robot, to ask for boxes of its bodies.
+pub(in super::super) fn shapes_of<'a>(
+    expansion: &'a Expansion,
+    robot: &'a Robot,
+    world: RuleEnv<'a>,
+) -> DocumentCx<'a> {
+    DocumentCx::new(
         expansion,
         robot.element,
         (RootKind::Robot, false),
         Some(robot),
         world,
         false,
-    );
-    let bodies = if link.visuals.is_empty() {
-        &link.collisions
-    } else {
-        &link.visuals
-    };
-    extent_of(&cx, bodies).bounds()
+    )
 }
 
 /// The box of the collisions of a link, or of its visuals when it has no collision.

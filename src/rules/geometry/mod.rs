@@ -51,7 +51,7 @@ pub use bodies::link_bounds;
 pub use resources::{factors, resolve as resolve_file};
 pub use target::FileLookup as FileTarget;
 
-pub(super) use bodies::{Extent, extent, extent_of, volume};
+pub(super) use bodies::{Extent, extent, extent_of, shapes_of, volume};
 pub(super) use mesh_scale_suspicious::is_scaled_wrong;
 pub(super) use resources::{MeshReference, MeshUse};
 pub(super) use shapes::{

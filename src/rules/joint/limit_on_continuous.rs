@@ -41,13 +41,18 @@ fn check(cx: &DocumentCx<'_>, joint: &Joint, out: &mut Sink<'_>) {
     );
     let report = out
         .report(tag_start(cx.expansion, limit.element), message)
-        .severity(if restricts(limit) && !follows(cx, joint) {
+        .severity(if restricts(limit) && !is_any(joint) && !follows(cx, joint) {
             Severity::Warning
         } else {
             Severity::Info
         })
         .help("write type=\"revolute\", or remove the position limits; a continuous joint uses only effort and velocity");
     delete_attrs(report, cx.expansion, limit.element, &names).done();
+}
+
+/// Whether the type is computed: the same limits are for joints of other types.
+fn is_any(joint: &Joint) -> bool {
+    joint.kind.as_ref().is_some_and(|kind| !kind.is_literal())
 }
 
 /// Whether a joint only goes where another one with limits leads it.

@@ -43,7 +43,11 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
         let comes_along = mention.is_conditional || brings(&manifest, cx.world, name);
         let is_known = manifest.leaves_out(name)
             || manifest.builds_with(name)
-            || needs(cx, name, &manifest.name);
+            || needs(cx, name, &manifest.name)
+            || mentions
+                .iter()
+                .filter(|other| other.name == name)
+                .all(|other| leads_nowhere(cx, other));
         let severity = if comes_along || is_known {
             Severity::Info
         } else {
@@ -72,6 +76,23 @@ fn needs(cx: &FileCx<'_>, name: &str, own: &str) -> bool {
     };
     let manifest = manifest_around(cx.world, &found.path.join("package.xml"));
     manifest.is_some_and(|manifest| manifest.declares(own) || brings(&manifest, cx.world, own))
+}
+
+/// Whether the folder of the file that a URI names is not in the package: another package is meant.
+fn leads_nowhere(cx: &FileCx<'_>, mention: &PackageMention) -> bool {
+    let Some((folder, _)) = mention
+        .path
+        .as_ref()
+        .and_then(|(path, _)| path.rsplit_once('/'))
+    else {
+        return false;
+    };
+    let world = cx.world;
+    let found = world.packages.find(&mention.name, &cx.source.path);
+    found.is_ok_and(|found| {
+        let folder = found.path.join(folder);
+        !world.vfs.is_dir(&folder) && world.packages.built(&folder).is_none()
+    })
 }
 
 /// Whether no such package is known: that is said elsewhere.

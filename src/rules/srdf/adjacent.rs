@@ -1,8 +1,10 @@
 //! Which links are adjacent: those that a joint connects, or that only links without collision geometry are between.
 //! Source: `computeConnectionGraph` of the MoveIt setup assistant.
 use super::super::beside::PairedRobot;
+use super::super::context::DocumentCx;
+use super::super::geometry::extent_of;
 use base::FastSet;
-use model::{Joint, Robot};
+use model::{AttrValue, Bounds, Joint, JointType, Robot, transform};
 
 /// Links without geometry that are looked through, one behind the other.
 const MOST_STEPS: usize = 64;
@@ -63,6 +65,26 @@ pub(super) fn touching<'a>(paired: &PairedRobot<'a>) -> Vec<(&'a Joint, (&'a str
     };
     let joints = robot.joints.iter().enumerate();
     joints.filter_map(pair).collect()
+}
+
+/// Whether a fixed joint keeps the collision geometry of its links apart: there is a gap between the boxes around it.
+pub(super) fn are_apart(shapes: &DocumentCx<'_>, paired: &PairedRobot<'_>, joint: &Joint) -> bool {
+    let bounds = |end: &Option<AttrValue>| {
+        let link = paired.kinematics.link(end.as_ref()?.name()?)?;
+        extent_of(shapes, &paired.robot.links.get(link)?.collisions).bounds()
+    };
+    let boxes = || {
+        let child = bounds(&joint.child)?;
+        let place = transform(joint.origin.as_ref())?;
+        Some((bounds(&joint.parent)?, child.moved(&place)))
+    };
+    let is_gap = |(one, two): (Bounds, Bounds)| {
+        let lengths = |bounds: Bounds| bounds.min.into_iter().zip(bounds.max);
+        lengths(one)
+            .zip(lengths(two))
+            .any(|((min, max), (from, to))| max < from || to < min)
+    };
+    joint.is(&[JointType::Fixed]) && boxes().is_some_and(is_gap)
 }
 
 /// The name of a link that has collision geometry.

@@ -1,9 +1,12 @@
 //! Adjacent links whose collisions are not disabled, while those of others are.
+use std::cell::LazyCell;
+
 use super::super::beside::{BesideCx, PairedRobot};
 use super::super::context::is_whole;
+use super::super::geometry::shapes_of;
 use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::adjacent::touching;
+use super::adjacent::{are_apart, touching};
 use super::joints::Members;
 use base::FastSet;
 use model::{JointType, tag_start};
@@ -44,6 +47,7 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
         .filter_map(CollisionPair::links)
         .collect();
     let planned = planned_joints(cx, srdf);
+    let shapes = LazyCell::new(|| shapes_of(paired.expansion, paired.robot, cx.world));
     for (joint, links) in touching(paired)
         .into_iter()
         .filter(|(_, links)| !disabled.contains(links))
@@ -54,7 +58,7 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
                 .into_iter()
                 .any(|link| is_moved(paired, link, planned))
         });
-        let severity = if is_planned {
+        let severity = if is_planned && !are_apart(&shapes, paired, joint) {
             RULE.severity
         } else {
             Severity::Info

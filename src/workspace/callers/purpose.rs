@@ -17,9 +17,18 @@ use vfs::Vfs;
 
 /// Whether a text runs something: no page, no list of what is installed, no launch file of ROS 1 in a package for ROS 2.
 fn is_run(path: &Path, packages: &Packages) -> bool {
-    let is_of_ros1 = path.extension().is_some_and(|ending| ending == "launch");
     let is_no_call = file_names::is_page(path) || path.ends_with("CMakeLists.txt");
-    !(is_no_call || is_of_ros1 && packages.is_for_ament(path))
+    !(is_no_call || is_of_ros1(path, packages))
+}
+
+/// Whether a launch file is for ROS 1 in a package for ROS 2.
+fn is_of_ros1(path: &Path, packages: &Packages) -> bool {
+    // what roslaunch alone understands
+    const OWN: [&str; 3] = ["<rosparam", "$(find ", " textfile=\""];
+    let name = name_of(path);
+    let says = || packages.is_text(path, |text| has_any(text, &OWN));
+    (name.ends_with(".launch") || name.ends_with(".launch.xml") && says())
+        && packages.is_for_ament(path)
 }
 
 /// What is done with a description by the texts that load it and those that start them.
@@ -119,6 +128,11 @@ impl Callers {
             }
         }
         Some(purpose)
+    }
+
+    /// Whether a launch file is for ROS 1 in a package for ROS 2: nobody can run it.
+    pub fn is_launch_of_ros1(&self, path: &Path) -> bool {
+        is_of_ros1(path, &self.packages)
     }
 
     /// Whether a launch file or program around a description needs masses and inertia of one.
