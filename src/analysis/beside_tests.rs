@@ -173,11 +173,14 @@ fn one_of_several_robots_is_started_with_a_controller() {
             ("urdf/fast.urdf", &*fast),
             ("urdf/slow.urdf", &*slow),
             ("config/c.yaml", SETTINGS),
+            ("config/other.yaml", SETTINGS),
             ("launch/slow.launch", launch),
             ("launch/show_fast.launch", SHOW_FAST),
             ("launch/show_slow.launch", SHOW_SLOW),
         ];
-        found(&files, RULE)
+        let mut found = found(&files, RULE);
+        found.retain(|(file, _)| file == "config/c.yaml");
+        found
     };
     let starts = |robot: &str| {
         format!(
@@ -193,6 +196,9 @@ fn one_of_several_robots_is_started_with_a_controller() {
     assert_eq!(of(&format!("<launch>{slow}</launch>")), []);
     assert_eq!(of(&format!("<launch>{fast}{spawns}</launch>")), []);
     assert_eq!(of(&format!("<launch>{slow}{fast}{spawns}</launch>")), []);
+    // the controller of that name has its parameters in another file
+    let other = "<rosparam file='$(find arm)/config/other.yaml'/>";
+    assert_eq!(of(&format!("<launch>{slow}{other}{spawns}</launch>")), []);
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! Which findings are infos where launch files only show a robot, cannot run, or are not built.
+//! Which findings are infos where launch files only show a robot or cannot run, where nothing is built, and where a name is wrong.
 use super::unused_tests::severity_below;
 use rules::Severity;
 
@@ -82,4 +82,25 @@ fn a_robot_that_is_only_shown() {
     let spawn = show.replace("rviz", "gazebo_ros");
     assert_eq!(severity(&spawn), Some(Severity::Warning));
     assert_eq!(severity("<launch/>"), Some(Severity::Warning));
+}
+
+#[test]
+fn a_uri_that_names_the_wrong_package() {
+    let severity = |mesh: &str| {
+        let robot = format!(
+            "<robot name='arm'><link name='base'><visual><geometry><mesh filename='package://arm/{mesh}'/></geometry></visual>\
+             </link></robot>"
+        );
+        let files = [
+            ("arm_config/package.xml", CATKIN),
+            ("arm_config/urdf/arm.urdf", robot.as_str()),
+            ("arm/package.xml", "<package><name>arm</name></package>"),
+            ("arm/shapes/base.stl", "solid base\nendsolid base\n"),
+        ];
+        severity_below("", &files, "arm.urdf", "missing-package-dependency")
+    };
+    assert_eq!(severity("shapes/base.stl"), Some(Severity::Warning));
+    assert_eq!(severity("shapes/gone.stl"), Some(Severity::Warning));
+    // declared, it would not be found either
+    assert_eq!(severity("meshes/base.stl"), Some(Severity::Info));
 }
