@@ -312,12 +312,10 @@ impl Session {
         if !is_joint || !finding.message.contains(WHAT) || !self.callers.load(file) {
             return false;
         }
-        let is_ros2 = self.packages.is_for_ament(file);
         let is_run = |path: &&PathBuf| {
-            let is_of_ros1 = path.extension().is_some_and(|ending| ending == "launch");
             // an exporter of CAD programs writes it beside each robot
             let is_export = path.ends_with("controller.launch") && !self.callers.mention_file(path);
-            !(is_ros2 && is_of_ros1 || is_export)
+            !(self.callers.is_launch_of_ros1(path) || is_export)
         };
         let has_it = |path: &PathBuf| {
             self.vfs

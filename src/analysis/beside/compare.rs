@@ -1,4 +1,5 @@
 //! Findings in files beside robots.
+use std::cell::LazyCell;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -276,34 +277,49 @@ impl Session {
             calls.into_iter().map(|one| one.call.caller).collect()
         };
         let all: Vec<FastSet<PathBuf>> = paired.robots.iter().map(callers).collect();
+        let others = LazyCell::new(|| self.controllers_around(&own_file.path));
         let names = |callers: &FastSet<PathBuf>| {
             let is_own =
                 |caller: &&PathBuf| all.iter().filter(|one| one.contains(*caller)).count() <= 1;
             let own: Vec<&PathBuf> = callers.iter().filter(is_own).collect();
-            let starts = |caller: &Path, name: &str| {
-                self.says(caller, name) && !self.configures_elsewhere(caller, &own_file.path, name)
+            let elsewhere: Vec<FastSet<EcoString>> = own
+                .iter()
+                .map(|caller| self.configured_elsewhere(caller, &own_file.path, &others))
+                .collect();
+            let is_named = |name: &EcoString| {
+                let mut all = own.iter().zip(&elsewhere);
+                all.any(|(caller, others)| !others.contains(name) && self.says(caller, name))
             };
-            let is_named = |name: &EcoString| own.iter().any(|caller| starts(caller, name));
             let names = controllers.iter().map(|one| one.name.name.clone());
             names.filter(is_named).collect()
         };
         all.iter().map(names).collect()
     }
 
-    /// Whether a launch file does not name a file of settings, but another one with parameters of a controller.
-    fn configures_elsewhere(&self, launch: &Path, file: &Path, controller: &str) -> bool {
-        let says = |file: &Path| {
-            let name = file.file_name().and_then(|name| name.to_str());
-            name.is_some_and(|name| self.says(launch, name))
-        };
-        let has_it = |other: &Path| {
-            self.beside_settings(other).is_some_and(|settings| {
-                let mut all = settings.controllers.iter();
-                all.any(|one| one.name.name == controller)
-            })
-        };
+    /// The names of the other files around one that configure controllers, and these controllers.
+    fn controllers_around(&self, file: &Path) -> Vec<(String, Vec<EcoString>)> {
         let around = self.beside_around(file);
-        !says(file) && around.iter().any(|other| says(other) && has_it(other))
+        let configured = |other: &PathBuf| {
+            let settings = self.beside_settings(other)?;
+            let all = settings.controllers.iter().map(|one| one.name.name.clone());
+            Some((name_of(other)?, all.collect()))
+        };
+        let others = around.iter().filter(|other| *other != file);
+        others.filter_map(configured).collect()
+    }
+
+    /// The controllers that have their parameters in files which a launch file names; none where it names this file.
+    fn configured_elsewhere(
+        &self,
+        launch: &Path,
+        file: &Path,
+        others: &[(String, Vec<EcoString>)],
+    ) -> FastSet<EcoString> {
+        if name_of(file).is_some_and(|name| self.says(launch, &name)) {
+            return FastSet::default();
+        }
+        let named = others.iter().filter(|(name, _)| self.says(launch, name));
+        named.flat_map(|(_, all)| all.iter().cloned()).collect()
     }
 
     /// The names that robots have with other values of their switches, and those that their texts spell out.
@@ -338,6 +354,10 @@ impl Session {
         }
         names.links.contains(name)
     }
+}
+
+fn name_of(file: &Path) -> Option<String> {
+    Some(file.file_name()?.to_str()?.to_owned())
 }
 
 /// The names of the groups that an SRDF writes out.
