@@ -180,9 +180,11 @@ fn descriptions_for_xacro_that_are_loaded_as_they_are() {
         "import xacro\n",
         "expand_xacro(text)\n",
         "Command(['xacro ', p])\n",
+        "Command([clean_up, ' ', p])\n",
     ] {
         check_launch(&format!("{load}{runs}"), &[], &[]);
     }
+    check_launch(&format!("{load}Command(['cat ', p])\n"), &[], &[plain]);
     let values =
         "<robot name='r' xmlns:xacro='x'><xacro:arg name='a' default='1'/><link name='a'/></robot>";
     check_launch(load, &[("arm/urdf/arm.urdf.xacro", values)], &[]);
@@ -255,4 +257,63 @@ fn a_word_without_a_value_leaves_the_default() {
     };
     assert_eq!(count("prefix:="), 0);
     assert_eq!(count("prefix:=left_"), 1);
+}
+
+#[test]
+fn descriptions_that_users_of_a_package_make() {
+    let severity = |ignored: &str| {
+        let files = [
+            ("arm/package.xml", "<package><name>arm</name></package>"),
+            (
+                "arm/base.urdf",
+                "<robot name='base'><link name='base'/></robot>",
+            ),
+            (
+                "arm/launch/view.launch",
+                "<launch><param name='robot_description' command='xacro $(find arm)/arm.urdf'/></launch>",
+            ),
+            (".gitignore", ignored),
+        ];
+        let found = found(&files, "launched-file-not-found");
+        found.first().map(|one| one.1)
+    };
+    assert_eq!(severity("*.bag\n"), Some(Severity::Warning));
+    assert_eq!(severity("arm.urdf\n"), Some(Severity::Info));
+}
+
+#[test]
+fn transforms_of_joints_that_nobody_publishes() {
+    let robot = |plugin: &str| {
+        format!(
+            "<robot name='cart'><link name='base_link'/><link name='wheel'/><joint name='wheel_joint' type='continuous'>\
+             <parent link='base_link'/><child link='wheel'/><axis xyz='0 1 0'/></joint><gazebo><plugin \
+             name='drive' filename='libgazebo_ros_diff_drive.so'>{plugin}</plugin></gazebo></robot>"
+        )
+    };
+    let count = |plugin: &str, node: &str| {
+        let launch = format!(
+            "<launch><param name='robot_description' textfile='$(find cart)/cart.urdf'/>\
+             <node name='r' pkg='robot_state_publisher' type='robot_state_publisher'/>\
+             <node pkg='tf2_ros' type='static_transform_publisher' name='t' args='0 0.2 0 0 0 0 base_link wheel'/>{node}</launch>"
+        );
+        let files = [
+            ("package.xml", "<package><name>cart</name></package>"),
+            ("cart.urdf", &robot(plugin)),
+            ("launch/view.launch", &launch),
+        ];
+        found(&files, "duplicate-transform").len()
+    };
+    let gazebo = "<node pkg='gazebo_ros' type='spawn_model' name='s'/>";
+    let states = "<node pkg='joint_state_publisher' type='joint_state_publisher' name='j'/>";
+    assert_eq!(count("", ""), 0);
+    assert_eq!(count("", gazebo), 0);
+    assert_eq!(count("", states), 1);
+    assert_eq!(count("<publishWheelTF>true</publishWheelTF>", gazebo), 1);
+    assert_eq!(
+        count(
+            "",
+            "<node pkg='controller_manager' type='spawner' name='c'/>"
+        ),
+        1
+    );
 }

@@ -6,7 +6,7 @@ use super::session::Session;
 use base::Span;
 use packages::nearest;
 use rules::{Finding, Severity, launched_file_not_found, launched_without_xacro};
-use workspace::RobotCall;
+use workspace::{RobotCall, is_ignored_by_git};
 use xml::Document;
 
 /// Looks for descriptions that launch files name and that are not there.
@@ -99,7 +99,10 @@ impl LaunchedDescriptions<'_> {
         let mut finding =
             launched_file_not_found(span, &missing.call.file.shown(), near.as_deref());
         // they separate folders on Windows, where the file may be found
-        if missing.call.file.shown().contains('\\') {
+        let is_for_windows = missing.call.file.shown().contains('\\');
+        // whoever uses the package makes it
+        let is_made = |path: &PathBuf| is_ignored_by_git(&self.0.packages, path);
+        if is_for_windows || missing.target.as_ref().is_some_and(is_made) {
             finding.severity = Severity::Info;
         }
         Some(finding)
@@ -144,7 +147,26 @@ impl LaunchedDescriptions<'_> {
         }
         // of a path by itself, where it starts is not known
         let is_in_package = call.call.file.in_package().is_some();
-        is_in_package && self.0.packages.containing(path).is_some()
+        let package = self.0.packages.containing(path).filter(|_| is_in_package);
+        package.is_some_and(|package| !self.is_named_by_build(&package.folder, path))
+    }
+
+    /// Whether the build of a package names a file that its folder does not have: it installs one from elsewhere, or makes it.
+    fn is_named_by_build(&self, package: &Path, file: &Path) -> bool {
+        let Some(name) = file.file_name().and_then(OsStr::to_str) else {
+            return false;
+        };
+        let mut builds = ["setup.py", "CMakeLists.txt"].into_iter();
+        builds.any(|build| {
+            let build = self.0.vfs.text(&package.join(build));
+            build.is_ok_and(|build| {
+                let mut code = build
+                    .text
+                    .lines()
+                    .filter(|line| !line.trim().starts_with('#'));
+                code.any(|line| line.contains(name))
+            })
+        })
     }
 }
 
@@ -163,7 +185,19 @@ fn runs_xacro(text: &str) -> bool {
         let is_word = !before.ends_with(is_part) && !after.starts_with(is_part);
         !before.ends_with('.') && (is_word || after.starts_with('('))
     };
-    text.match_indices("xacro").any(is_run) || EXPANDS.iter().any(|name| text.contains(name))
+    text.match_indices("xacro").any(is_run)
+        || EXPANDS.iter().any(|name| text.contains(name))
+        || runs_own_program(text)
+}
+
+/// Whether a launch file takes what a program other than `cat` prints: it may run xacro.
+fn runs_own_program(text: &str) -> bool {
+    text.match_indices("Command(").any(|(at, word)| {
+        let after = text.get(at + word.len()..).unwrap_or("");
+        let is_open = |c: char| c.is_whitespace() || matches!(c, '[' | '(' | '"' | '\'');
+        let program = after.trim_start_matches(is_open);
+        !program.starts_with("cat") && !program.starts_with(')')
+    })
 }
 
 /// Whether a description has elements of xacro that change it, or expressions: values alone do not, and neither does a block that

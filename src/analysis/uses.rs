@@ -66,6 +66,10 @@ impl Session {
             let mut shows = ["rviz", "moveit"].into_iter();
             (!shows.any(|program| self.callers.quote(file, program))).then_some(Severity::Info)
         });
+        // another publisher of the frame is needed for two of them to be at odds
+        self.lower_where(findings, about(named::RESERVED_FRAME_NAME), || {
+            (!self.callers.localize_any(file)).then_some(Severity::Info)
+        });
         let is_spaced = |finding: &Finding| {
             finding.rule == named::INVALID_NAME && self.is_name_of_no_controller(file, finding)
         };

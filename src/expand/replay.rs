@@ -1,5 +1,4 @@
 //! Taking over the steps of the last expansion that still hold.
-use std::ops::Range;
 use std::sync::Arc;
 
 use super::expander::Expander;
@@ -8,6 +7,7 @@ use super::memo::{StepMemo, StepReads, StepResult};
 use super::names::EvalContext;
 use super::node::{XId, XKind};
 use super::origin::{Frame, FrameId, SrcId};
+use super::part::part;
 use super::same::{is_same_binding, is_same_source};
 use super::scope::{PropertyState, Scopes};
 use super::symbols::{Definition, DefinitionId, Symbols};
@@ -172,7 +172,7 @@ impl Expander<'_> {
             };
         let is_named_alike =
             |id| is_same_definition(now, then, id) || given.iter().any(|(_, given)| *given == id);
-        let bindings = part(before.index.bindings.as_slice(), &step.bindings);
+        let bindings = part(before.index.bindings.as_slice(), step.bindings.clone());
         given.iter().enumerate().all(&mut is_given_alike)
             && step
                 .symbols
@@ -196,15 +196,15 @@ impl Expander<'_> {
         let result = &mut self.result;
         result
             .frames
-            .extend_from_slice(part(before.frames.as_slice(), &step.frames));
-        result
-            .index
-            .bindings
-            .extend_from_slice(part(before.index.bindings.as_slice(), &step.bindings));
+            .extend_from_slice(part(before.frames.as_slice(), step.frames.clone()));
+        result.index.bindings.extend_from_slice(part(
+            before.index.bindings.as_slice(),
+            step.bindings.clone(),
+        ));
         result
             .index
             .reads
-            .extend_from_slice(part(&before.index.reads, &step.read_list));
+            .extend_from_slice(part(&before.index.reads, step.read_list.clone()));
         result.index.evaluations.extend_from(
             &before.index.evaluations,
             kept.evaluations..kept.evaluations + step.evaluations,
@@ -244,10 +244,6 @@ impl Expander<'_> {
         self.guards.budget.steps -= step.spent.0;
         self.guards.budget.bytes -= step.spent.1;
     }
-}
-
-fn part<'l, T>(list: &'l [T], range: &Range<usize>) -> &'l [T] {
-    list.get(range.clone()).unwrap_or_default()
 }
 
 /// Whether a number means the same definition in both lists.

@@ -8,6 +8,7 @@ use super::expander::{Expander, has_elements};
 use super::expansion::Expansion;
 use super::node::{XId, XKind};
 use super::origin::{FileIdx, Origin};
+use super::part::part;
 use super::problem::{Problem, Severity};
 use super::record::Read;
 use super::scope::Scopes;
@@ -239,9 +240,4 @@ impl<'w> Expander<'w> {
             }
         }
     }
-}
-
-/// A part of a list; nothing of one that is shorter.
-pub(super) fn part<T>(list: &[T], range: Range<usize>) -> &[T] {
-    list.get(range).unwrap_or_default()
 }

@@ -2,7 +2,9 @@
 use ecow::EcoString;
 
 use super::origin::{Origin, SrcId};
-use base::{FastMap, FastSet, Id, IdVec, TextRange};
+use super::part::part;
+use super::places::Places;
+use base::{FastSet, Id, IdVec, TextRange};
 
 /// A definition: index of [`Symbols::definitions`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -97,10 +99,13 @@ pub struct Symbols {
     pub uses: Vec<Use>,
     /// Uses by properties that nothing reads.
     pub quiet_uses: Vec<Use>,
-    known: FastMap<(SourceRange, EcoString), DefinitionId>,
-    seen: FastSet<Use>,
+    known: Places<(SourceRange, EcoString)>,
+    used: Places<Use>,
+    quietly_used: FastSet<Use>,
     /// Definitions that were known and turned out to be conditional, in order.
     pub(super) made_conditional: Vec<DefinitionId>,
+    /// How many uses were put back.
+    restored_uses: usize,
     log: Option<SymbolLog>,
 }
 
@@ -141,36 +146,30 @@ impl Symbols {
         others: &Self,
         (definitions, uses, conditional): (usize, usize, usize),
     ) {
-        // items behind an edit are mostly left out: in the end there are about as many as before
-        self.known.reserve(others.definitions.len());
-        self.seen.reserve(others.uses.len());
-        for (id, given) in others.definitions.iter_ids().take(definitions) {
-            self.known.insert((given.place, given.name.clone()), id);
-            self.definitions.push(given.clone());
-        }
+        (self.known, self.used) = (others.known.clone(), others.used.clone());
+        self.definitions
+            .extend_from_slice(part(others.definitions.as_slice(), 0..definitions));
         let (before, later) = others
             .made_conditional
             .split_at_checked(conditional)
             .unwrap_or_default();
         self.made_conditional.extend(before);
         self.set_conditional(later, false);
-        self.uses.extend(others.uses.iter().take(uses));
-        self.seen.extend(&self.uses);
+        self.uses.extend_from_slice(part(&others.uses, 0..uses));
+        self.restored_uses = self.uses.len();
     }
 
     /// Add what others added from some place on up to another one: each is how many definitions, uses and conditional ones they had.
+    /// There are as many definitions as they had at the first place.
     pub(super) fn add_between(
         &mut self,
         others: &Self,
         from: (usize, usize, usize),
         to: (usize, usize, usize),
     ) {
-        let given = others.definitions.as_slice().get(from.0..to.0);
-        for definition in given.unwrap_or_default() {
-            let id = self.definitions.push(definition.clone());
-            let key = (definition.place, definition.name.clone());
-            self.known.insert(key, id);
-        }
+        debug_assert_eq!(self.definitions.len(), from.0);
+        self.definitions
+            .extend_from_slice(part(others.definitions.as_slice(), from.0..to.0));
         let later = others.made_conditional.get(to.2..).unwrap_or_default();
         let later: Vec<DefinitionId> = later
             .iter()
@@ -178,14 +177,21 @@ impl Symbols {
             .filter(|id| (from.0..to.0).contains(&id.index()))
             .collect();
         self.set_conditional(&later, false);
-        let made = others
-            .made_conditional
-            .get(from.2..to.2)
-            .unwrap_or_default();
+        let made = part(&others.made_conditional, from.2..to.2);
         self.set_conditional(made, true);
         self.made_conditional.extend(made);
-        for &used in others.uses.get(from.1..to.1).unwrap_or_default() {
-            self.add_use(used, false);
+        let added = part(&others.uses, from.1..to.1);
+        let own = part(&self.uses, self.restored_uses..self.uses.len());
+        let is_among = |used| {
+            others
+                .place_of(used)
+                .is_some_and(|at| (from.1..to.1).contains(&at))
+        };
+        // at the same places the table that both share knows them
+        if self.uses.len() == from.1 && !own.iter().any(is_among) {
+            self.uses.extend_from_slice(added);
+        } else {
+            added.iter().for_each(|&used| self.add_use(used, false));
         }
     }
 
@@ -200,16 +206,16 @@ impl Symbols {
     /// Make room for as many as others are.
     pub(super) fn reserve_like(&mut self, others: &Self) {
         self.definitions.reserve(others.definitions.len());
-        self.known.reserve(others.definitions.len());
         self.uses.reserve(others.uses.len());
         self.quiet_uses.reserve(others.quiet_uses.len());
-        self.seen
-            .reserve(others.uses.len() + others.quiet_uses.len());
     }
 
     /// Give back what only serves to add more.
     pub(super) fn shrink(&mut self) {
-        (self.known, self.seen) = (FastMap::default(), FastSet::default());
+        self.quietly_used = FastSet::default();
+        let key = |definition: &Definition| (definition.place, definition.name.clone());
+        self.known.finish(self.definitions.iter().map(key));
+        self.used.finish(self.uses.iter().copied());
         self.definitions.shrink_to_fit();
         self.uses.shrink_to_fit();
     }
@@ -224,21 +230,31 @@ impl Symbols {
 
     /// The number of a definition that was met.
     pub(super) fn number_of(&self, definition: &Definition) -> Option<DefinitionId> {
-        self.known
-            .get(&(definition.place, definition.name.clone()))
-            .copied()
+        let is_at = |place: usize| {
+            let known = self.definitions.as_slice().get(place);
+            known.is_some_and(|known| {
+                known.place == definition.place && known.name == definition.name
+            })
+        };
+        let key = (definition.place, definition.name.clone());
+        self.known.find(&key, is_at).map(DefinitionId::from_index)
+    }
+
+    /// Where a use stands that is not a quiet one.
+    fn place_of(&self, used: &Use) -> Option<usize> {
+        self.used
+            .find(used, |place| self.uses.get(place) == Some(used))
     }
 
     pub(super) fn add(&mut self, definition: Definition) -> DefinitionId {
         let next = self.definitions.next_id();
-        let id = *self
-            .known
-            .entry((definition.place, definition.name.clone()))
-            .or_insert(next);
+        let id = self.number_of(&definition).unwrap_or(next);
         if let Some(log) = &mut self.log {
             log.definitions.push((definition.clone(), id));
         }
         if id == next {
+            let key = (definition.place, definition.name.clone());
+            self.known.add(key, next.index());
             self.definitions.push(definition);
         } else if definition.conditional
             && let Some(known) = self.definitions.get_mut(id)
@@ -256,13 +272,15 @@ impl Symbols {
         {
             log.uses.push((used, quiet));
         }
-        if self.seen.insert(used) {
-            let list = if quiet {
-                &mut self.quiet_uses
-            } else {
-                &mut self.uses
-            };
-            list.push(used);
+        if self.place_of(&used).is_some() || self.quietly_used.contains(&used) {
+            return;
+        }
+        if quiet {
+            self.quietly_used.insert(used);
+            self.quiet_uses.push(used);
+        } else {
+            self.used.add(used, self.uses.len());
+            self.uses.push(used);
         }
     }
 }

@@ -34,7 +34,7 @@ pub use mesh::{
 pub use naming::{NameMarks, Naming};
 pub use pose::{Pose, transform};
 pub use renamed::other_difference;
-pub use robot::Robot;
+pub use robot::{Robot, SharedNames};
 pub use shared_list::{SharedIter, SharedList};
 pub use source::{attr_range, element_range, source_has_elements, source_mentions, tag_start};
 pub use version::Version;

@@ -34,6 +34,17 @@ pub struct Robot {
     naming: Arc<OnceLock<Naming>>,
 }
 
+/// The names of links and joints and the ends of joints. Those of a robot after an edit are equal as long as no name is different:
+/// an index of one list means the same link or joint then.
+#[derive(Clone, Debug)]
+pub struct SharedNames(Arc<OnceLock<Naming>>);
+
+impl PartialEq for SharedNames {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+}
+
 impl Robot {
     /// The robot of an expansion; none when the root element is something else.
     pub fn of(expansion: &Expansion) -> Option<Self> {
@@ -100,6 +111,11 @@ impl Robot {
     /// What the names of its links and joints say; worked out once.
     pub fn naming(&self) -> &Naming {
         self.naming.get_or_init(|| Naming::of(self))
+    }
+
+    /// What tells whether another robot has the same names.
+    pub fn shared_names(&self) -> SharedNames {
+        SharedNames(Arc::clone(&self.naming))
     }
 
     /// The links of a name, in document order; a link without one has the empty name.

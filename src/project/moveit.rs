@@ -103,10 +103,9 @@ const NODE: [&str; 2] = ["/**", "ros__parameters"];
 pub(super) fn controllers(root: &YamlNode) -> Vec<MoveitController> {
     let top = inside(root, &NODE);
     let mut found = Vec::new();
-    for manager in [Some(top), get(top, "moveit_simple_controller_manager")]
-        .into_iter()
-        .flatten()
-    {
+    let own = get(top, "moveit_simple_controller_manager");
+    // a list beside the manager's own is not read
+    for manager in [own.is_none().then_some(top), own].into_iter().flatten() {
         let names = get(manager, "controller_names")
             .map(SpannedName::list)
             .unwrap_or_default();

@@ -71,6 +71,12 @@ fn names_in_settings() {
             "moveit_simple_controller_manager:\n  controller_names: [c]\n  c:\n    joints: [a]\n",
             vec![joint("a")],
         ),
+        // a list beside that of the manager is not read
+        (
+            "moveit_simple_controller_manager:\n  controller_names: [c]\n  c:\n    joints: [a]\n\
+             controller_names: [d]\nd:\n  type: x\n  joints: [b]\n",
+            vec![joint("a")],
+        ),
         (
             "controller_list:\n- name: c\n  joints: [a]\n",
             vec![joint("a")],

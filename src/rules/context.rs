@@ -1,5 +1,5 @@
 //! What rules see.
-use std::cell::{Cell, OnceCell, RefCell};
+use std::cell::{OnceCell, RefCell};
 use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
@@ -9,6 +9,7 @@ use super::conventions::NamedBy;
 use super::frames::Distances;
 use super::geometry::{MeshReference, Resources};
 use super::package::{Manifests, PackageMention};
+use super::watch::Watch;
 use super::xacro::MentionedWords;
 use base::{FastMap, FastSet};
 use expand::{Expansion, FileIdx, Problem, StepKey, XId};
@@ -171,8 +172,10 @@ pub struct DocumentCx<'a> {
     pub(super) used: OnceCell<Vec<bool>>,
     /// The macros that the files define, once a rule has asked.
     pub(super) macros: OnceCell<FastSet<&'a str>>,
+    /// The links that have the inertia of a motor added, once a rule has asked.
+    pub(super) rotors: OnceCell<Arc<FastSet<XId>>>,
     all: AllElements,
-    looked_beyond: Cell<bool>,
+    pub(super) watch: Watch,
 }
 
 /// What is known of all links and joints together, once a rule has asked.
@@ -184,8 +187,6 @@ pub(super) struct AllElements {
     pub(super) axis_lengths: OnceCell<Vec<f64>>,
     /// The limits of joints along a line, meters, as bits.
     pub(super) sliding_ranges: OnceCell<FastSet<[u64; 2]>>,
-    /// The links that have the inertia of a motor added; none where they are few.
-    pub(super) rotors: OnceCell<FastSet<XId>>,
 }
 
 impl<'a> DocumentCx<'a> {
@@ -215,8 +216,9 @@ impl<'a> DocumentCx<'a> {
             set: OnceCell::new(),
             used: OnceCell::new(),
             macros: OnceCell::new(),
+            rotors: OnceCell::new(),
             all: AllElements::default(),
-            looked_beyond: Cell::new(false),
+            watch: Watch::default(),
         }
     }
 
@@ -228,20 +230,10 @@ impl<'a> DocumentCx<'a> {
         steps.into_iter().flatten()
     }
 
-    /// From now on, say whether a rule looks at anything but the element that it is asked about.
-    pub(super) fn start_watch(&self) {
-        self.looked_beyond.set(false);
-    }
-
-    /// Whether a rule did.
-    pub(super) fn looked_beyond(&self) -> bool {
-        self.looked_beyond.get()
-    }
-
     /// Note that a rule looks at something else than the element that it is asked about. What is read off the tree around the
     /// element, off its root tag, and off the configuration needs no note.
     pub(super) fn look_beyond(&self) {
-        self.looked_beyond.set(true);
+        self.watch.note_anything();
     }
 
     /// What is known of all links and joints together.
@@ -250,11 +242,17 @@ impl<'a> DocumentCx<'a> {
         &self.all
     }
 
+    /// How many joints there are.
+    pub(super) fn joint_count(&self) -> usize {
+        self.named_robot().map_or(0, |robot| robot.joints.len())
+    }
+
     /// The joints whose child is a link of this name, in document order.
     pub(super) fn joints_above(&self, link: &str) -> impl Iterator<Item = &'a Joint> + Clone {
-        self.whole_robot()
+        self.named_robot()
             .into_iter()
             .flat_map(move |robot| robot.joints_above(link))
+            .inspect(|joint| self.watch.note_element(joint.element))
     }
 
     /// The only joint whose child is a link of this name; none where there are several.
@@ -265,20 +263,23 @@ impl<'a> DocumentCx<'a> {
 
     /// The joints whose parent is a link of this name, in document order.
     pub(super) fn joints_below(&self, link: &str) -> impl Iterator<Item = &'a Joint> + Clone {
-        self.whole_robot()
+        self.named_robot()
             .into_iter()
             .flat_map(move |robot| robot.joints_below(link))
+            .inspect(|joint| self.watch.note_element(joint.element))
     }
 
     /// The links of a name, in document order.
     pub(super) fn links_named(&self, name: &str) -> impl Iterator<Item = &'a Link> + Clone {
-        self.whole_robot()
+        self.named_robot()
             .into_iter()
             .flat_map(move |robot| robot.links_named(name))
+            .inspect(|link| self.watch.note_element(link.element))
     }
 
-    fn whole_robot(&self) -> Option<&'a Robot> {
-        self.look_beyond();
+    /// The robot, of which it is looked which links and joints have a name.
+    fn named_robot(&self) -> Option<&'a Robot> {
+        self.watch.note_names();
         self.robot
     }
 

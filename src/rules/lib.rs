@@ -42,6 +42,7 @@ mod thresholds;
 mod traits;
 mod visit;
 mod vocabulary;
+mod watch;
 mod xacro;
 mod xml;
 

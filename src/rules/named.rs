@@ -1,8 +1,8 @@
 //! Rules that others than the rules themselves speak about.
 use super::rule::Rule;
 use super::{
-    control, conventions, geometry, inertia, joint, linter, moveit, package, srdf, structure,
-    xacro, xml,
+    control, conventions, frames, geometry, inertia, joint, linter, moveit, package, srdf,
+    structure, xacro, xml,
 };
 
 /// `gazebo-unknown-reference`
@@ -43,6 +43,8 @@ pub const MISSING_LIMIT_ATTRIBUTE: &Rule = &joint::missing_limit_attribute::RULE
 pub const JOINT_LIMIT_NEGATIVE: &Rule = &joint::joint_limit_negative::RULE;
 /// `missing-robot-name`
 pub const MISSING_ROBOT_NAME: &Rule = &xml::missing_robot_name::RULE;
+/// `reserved-frame-name`
+pub const RESERVED_FRAME_NAME: &Rule = &frames::reserved_frame_name::RULE;
 /// `invalid-name`
 pub const INVALID_NAME: &Rule = &conventions::invalid_name::RULE;
 /// `ros2-control-duplicate-joint`

@@ -24,6 +24,19 @@ pub struct Sink<'a> {
     reported: usize,
     /// How many there are of each rule.
     counts: FastMap<&'static str, usize>,
+    /// What is reported, while somebody wants to keep it; none when a part of it cannot be kept.
+    kept: Option<Vec<KeptFinding>>,
+}
+
+/// A finding at a text of a step. It says the same of that text in the next expansion that takes the step over.
+#[derive(Clone, Debug)]
+pub(super) struct KeptFinding {
+    rule: &'static Rule,
+    severity: Severity,
+    message: EcoString,
+    origin: Origin,
+    help: Option<EcoString>,
+    group: Option<Group>,
 }
 
 /// A finding in the making. It is handed on at each step, and is large.
@@ -61,6 +74,7 @@ impl<'a> Sink<'a> {
             by_place: FastMap::default(),
             reported: 0,
             counts: FastMap::default(),
+            kept: None,
         }
     }
 
@@ -77,6 +91,37 @@ impl<'a> Sink<'a> {
     /// How often something was reported so far.
     pub(super) fn reported(&self) -> usize {
         self.reported
+    }
+
+    /// Keep what is reported from now on.
+    pub(super) fn start_keeping(&mut self) {
+        self.kept = Some(Vec::new());
+    }
+
+    /// What was reported since then; none when a part of it has further places or a fix, which another edit may move.
+    pub(super) fn take_kept(&mut self) -> Option<Vec<KeptFinding>> {
+        self.kept.take()
+    }
+
+    /// Report once more what was kept.
+    pub(super) fn report_again(&mut self, kept: &KeptFinding) {
+        let span = self.span_of(kept.origin).unwrap_or_else(|| self.nowhere());
+        self.reported += 1;
+        let key = (kept.rule.code, span);
+        let known = self.by_place.get(&key);
+        if let Some(stored) = known.and_then(|&place| self.stored.get_mut(place)) {
+            let said = (kept.message.as_str(), kept.help.as_deref());
+            stored.add(self.expansion, kept.origin, Some(said));
+            return;
+        }
+        let finding = Finding {
+            severity: kept.severity,
+            message: kept.message.to_string(),
+            help: kept.help.as_ref().map(EcoString::to_string),
+            group: kept.group.clone(),
+            ..Finding::new(kept.rule, span, String::new())
+        };
+        self.store(key, finding, [kept.origin]);
     }
 
     /// The findings, with their calls behind the other related places.
@@ -140,15 +185,32 @@ impl<'a> Sink<'a> {
             instance,
             others,
         } = draft;
+        if let Some(kept) = &mut self.kept {
+            match KeptFinding::of(&finding, instance, &others) {
+                Some(one) => kept.push(one),
+                None => self.kept = None,
+            }
+        }
         let instances = instance.into_iter().chain(others);
         let key = (finding.rule.code, finding.span);
         let known = self.by_place.get(&key);
         if let Some(stored) = known.and_then(|&place| self.stored.get_mut(place)) {
+            let said = (finding.message.as_str(), finding.help.as_deref());
             for origin in instances {
-                stored.add(self.expansion, origin, Some(&finding));
+                stored.add(self.expansion, origin, Some(said));
             }
             return;
         }
+        self.store(key, finding, instances);
+    }
+
+    /// Store what is reported first of a place.
+    fn store(
+        &mut self,
+        key: (&'static str, Span),
+        finding: Finding,
+        instances: impl IntoIterator<Item = Origin>,
+    ) {
         let count = self.counts.entry(key.0).or_default();
         *count += 1;
         if *count <= FINDINGS_OF_A_RULE {
@@ -182,6 +244,26 @@ impl<'a> Sink<'a> {
     }
 }
 
+impl KeptFinding {
+    /// None of a finding with anything that another edit may move.
+    fn of(finding: &Finding, instance: Option<Origin>, others: &[Origin]) -> Option<Self> {
+        let is_simple = others.is_empty()
+            && finding.related.is_empty()
+            && finding.fix.is_none()
+            && finding.similar.is_none()
+            && !finding.probed;
+        let origin = instance.filter(|_| is_simple)?;
+        Some(Self {
+            rule: finding.rule,
+            severity: finding.severity,
+            message: finding.message.as_str().into(),
+            origin,
+            help: finding.help.as_deref().map(EcoString::from),
+            group: finding.group.clone(),
+        })
+    }
+}
+
 impl StoredFinding {
     fn of(finding: Finding) -> Self {
         Self {
@@ -194,7 +276,7 @@ impl StoredFinding {
     }
 
     /// Add an instance of the text, of which something else may be said than of the first one.
-    fn add(&mut self, expansion: &Expansion, origin: Origin, said: Option<&Finding>) {
+    fn add(&mut self, expansion: &Expansion, origin: Origin, said: Option<(&str, Option<&str>)>) {
         self.instances.push(origin);
         self.calls.add(expansion, frames(expansion, origin));
         if self.call_sites.len() >= MOST_CALL_SITES {
@@ -206,21 +288,22 @@ impl StoredFinding {
         let Some((frame, call)) = call.filter(|&(_, call)| self.is_new(call)) else {
             return;
         };
-        let said = said.unwrap_or(&self.finding);
+        let own = (self.finding.message.as_str(), self.finding.help.as_deref());
+        let (message, help) = said.unwrap_or(own);
         // most say the same of what to do
         let known = self.call_sites.last().and_then(|site| site.help.clone());
-        let is_known = said.help.as_deref() == known.as_deref();
+        let is_known = help == known.as_deref();
         let help = if is_known {
             known
         } else {
-            said.help.as_deref().map(EcoString::from)
+            help.map(EcoString::from)
         };
         self.call_sites.push(CallSite {
             call,
             name: frame.name.clone(),
             argument: blamed_argument(expansion, origin)
                 .and_then(|argument| span_of(expansion, argument)),
-            message: said.message.as_str().into(),
+            message: message.into(),
             help,
         });
     }

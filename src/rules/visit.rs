@@ -6,8 +6,9 @@ use super::context::DocumentCx;
 use super::frames::{self, ElementPose};
 use super::rule::{Check, Rule};
 use super::run::Chosen;
-use super::settled::{Basis, OpenRules, Settled};
+use super::settled::{Known, OpenRules, Settled, SettledStep, Steps};
 use super::sink::Sink;
+use super::watch::Beyond;
 use super::xml::{self, CheckedElement, Numeric};
 use base::FastMap;
 use expand::XId;
@@ -28,7 +29,7 @@ pub(super) struct Visitors {
 
 impl Visitors {
     /// Those among the rules that run on a document, of which everything is there or not; all, or those at some places.
-    fn of(rules: &[&'static Rule], complete: bool, places: Option<&OpenRules>) -> Self {
+    fn of(rules: &[&'static Rule], complete: bool, places: Option<&[u16]>) -> Self {
         let mut visitors = Self::default();
         let rules = (0..).zip(rules.iter().copied());
         for (place, rule) in
@@ -57,38 +58,59 @@ pub(super) fn visit(
     before: &Settled,
     sink: &mut Sink<'_>,
 ) -> Settled {
-    let mut settled = Settled::on(Basis::of(cx, chosen.rules));
-    let is_same = before.rests_on(&settled);
+    let mut settled = Settled::on(cx, chosen.rules);
+    let mut known = Known::of(before, &settled);
+    let mut steps = Steps::of(cx);
     let all = Visitors::of(chosen.rules, cx.complete, None);
     let mut some: FastMap<&OpenRules, Visitors> = FastMap::default();
+    let mut lists: FastMap<Vec<u16>, OpenRules> = FastMap::default();
     let root = xml::root_element(cx);
     let mut visit = Visit {
         cx,
         root: &root,
         sink,
-        open: OpenRules::new(),
+        open: Vec::new(),
+        beyond: Beyond::default(),
     };
     visit.element(&all, &root);
     let mut children = Children::of(cx);
     for (step, elements) in cx.steps() {
         children.run_until(Some(elements.start), |child| visit.child(&all, child));
-        let known = before.open_rules(&step).filter(|_| is_same);
-        let visitors = known.map(|open| {
-            let of_these = || Visitors::of(chosen.rules, cx.complete, Some(open));
-            &*some.entry(open).or_insert_with(of_these)
-        });
-        visit.open.clear();
-        children.run_until(Some(elements.end), |child| {
-            if known.is_none_or(|open| !open.is_empty()) {
-                visit.child(visitors.unwrap_or(&all), child);
+        let known_step = known.step(&step);
+        let said = known_step.and_then(|known| known.said.as_ref());
+        if let Some((known_step, said)) = known_step.zip(said)
+            && known.holds(said, cx, &steps)
+        {
+            for finding in &said.findings {
+                visit.sink.report_again(finding);
             }
+            children.run_until(Some(elements.end), |_| {});
+            settled.add(step, known_step.clone());
+            continue;
+        }
+        let visitors = known_step.map(|known| {
+            let of_these = || Visitors::of(chosen.rules, cx.complete, Some(&*known.open));
+            &*some.entry(&known.open).or_insert_with(of_these)
         });
-        settled.add(step, visit.open.clone());
+        visit.start();
+        children.run_until(Some(elements.end), |child| {
+            visit.child(visitors.unwrap_or(&all), child);
+        });
+        let said = steps.said(&step, &visit.beyond, visit.sink.take_kept());
+        let open = match lists.get(&visit.open) {
+            Some(list) => list.clone(),
+            None => {
+                let list = OpenRules::from(visit.open.as_slice());
+                lists.entry(visit.open.clone()).or_insert(list).clone()
+            }
+        };
+        settled.add(step, SettledStep { open, said });
         if chosen.cancel.is_cancelled() {
             return settled;
         }
     }
     children.run_until(None, |child| visit.child(&all, child));
+    settled.note_rotors(cx.rotors.get());
     settled
 }
 
@@ -98,10 +120,19 @@ struct Visit<'v, 'a, 's> {
     root: &'v CheckedElement,
     sink: &'v mut Sink<'s>,
     /// The rules that found something, or looked at something else to know.
-    open: OpenRules,
+    open: Vec<u16>,
+    /// What they looked at.
+    beyond: Beyond,
 }
 
 impl Visit<'_, '_, '_> {
+    /// A step begins.
+    fn start(&mut self) {
+        self.open.clear();
+        self.beyond = Beyond::default();
+        self.sink.start_keeping();
+    }
+
     /// Ask about a child of the root and all that is in it.
     fn child(&mut self, visitors: &Visitors, child: Child<'_>) {
         if !(visitors.elements.is_empty() && visitors.numbers.is_empty()) {
@@ -139,9 +170,13 @@ impl Visit<'_, '_, '_> {
         for &(place, rule, check) in asked {
             self.sink.set_rule(rule);
             let found = self.sink.reported();
-            self.cx.start_watch();
+            self.cx.watch.start();
             ask(check, self.cx, self.sink);
-            let is_open = self.cx.looked_beyond() || self.sink.reported() != found;
+            let is_beyond = self.cx.watch.is_beyond();
+            if is_beyond {
+                self.cx.watch.add_to(&mut self.beyond);
+            }
+            let is_open = is_beyond || self.sink.reported() != found;
             if is_open && !self.open.contains(&place) {
                 self.open.push(place);
             }

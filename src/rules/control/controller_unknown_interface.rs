@@ -142,7 +142,10 @@ fn check_with(
         let class = class_of(cx, controller);
         let fixed = COMMANDED.iter().filter(|(of, ..)| Some(*of) == class);
         let is_fixed = fixed.clone().next().is_some();
-        let is_read = |is_command| is_command || !class.is_some_and(is_blind);
+        let is_read = |is_command| {
+            let is_unread = if is_command { is_broadcaster } else { is_blind };
+            !class.is_some_and(is_unread)
+        };
         let named =
             interfaces(controller).filter(|&(_, is_command)| !is_fixed && is_read(is_command));
         for (interface, is_command) in named {
@@ -180,7 +183,7 @@ fn check_with(
 /// Whether a controller commands the joints of its parameter `joints`.
 pub(super) fn is_commanding(cx: &BesideCx<'_>, controller: &Controller) -> bool {
     let class = class_of(cx, controller);
-    !controller.commands.is_empty()
+    !controller.commands.is_empty() && !class.is_some_and(is_broadcaster)
         || controller.interface.is_some()
         || COMMANDED
             .iter()
@@ -200,6 +203,11 @@ fn joints<'a>(controller: &'a Controller, key: &str) -> impl Iterator<Item = &'a
 /// Source: `state_interface_configuration` of `forward_command_controller` in ros2_controllers.
 fn is_blind(class: &str) -> bool {
     class.starts_with("forward_command_controller/")
+}
+
+/// Whether controllers of a class only publish what they read, whatever their parameters list.
+fn is_broadcaster(class: &str) -> bool {
+    class.ends_with("Broadcaster")
 }
 
 /// The class of a controller: its own parameter, or what a controller manager says.

@@ -1,12 +1,15 @@
 //! A controller of a drive that is told other wheels than the robot has.
-use super::super::beside::BesideCx;
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
+
+use super::super::beside::{BesideCx, PairedRobot};
 use super::super::geometry::link_bounds;
 use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::controller_unknown_interface::class_of;
 use super::wheel_sizes::{WheelPair, length};
 use base::Span;
-use model::Link;
+use model::{AttrValue, Link};
 use project::Controller;
 
 pub(in super::super) static RULE: Rule = Rule::beside(
@@ -73,9 +76,51 @@ fn wheels<'a>(cx: &BesideCx<'a>, controller: &Controller) -> Vec<WheelPair<'a>> 
     };
     let robots = cx.robots.iter();
     robots
+        .filter(|paired| !names_variant(cx, paired))
         .filter_map(|paired| {
             let bounds = |link: &Link| link_bounds(paired.expansion, paired.robot, cx.world, link);
             WheelPair::of(paired.robot, paired.kinematics, joints, &bounds)
         })
         .collect()
+}
+
+/// Whether a robot names another variant of the file for its controllers: one of the same name in a folder beside it, or one in its
+/// folder of which a part of the name is another one. Which variant it names is decided by what decides on its wheels.
+fn names_variant(cx: &BesideCx<'_>, paired: &PairedRobot<'_>) -> bool {
+    let tree = &paired.expansion.tree;
+    let own = cx.world.vfs.path(cx.file);
+    let blocks = paired.robot.gazebo.iter();
+    let parameters = blocks
+        .flat_map(|block| tree.below(block.element))
+        .filter(|&id| tree.get(id).text == "parameters")
+        .filter_map(|id| AttrValue::content(tree, id))
+        .map(|text| PathBuf::from(text.value.trim()));
+    let arguments = paired.expansion.arguments.iter();
+    let given = arguments.map(|(_, value)| PathBuf::from(value.as_str()));
+    let named: Vec<PathBuf> = parameters.chain(given).collect();
+    let is_own = |path: &PathBuf| names(path) == names(&own);
+    !named.iter().any(is_own) && named.iter().any(|path| are_variants(path, &own))
+}
+
+/// The names of a file and of the two folders around it, from inside to outside. A build may put them elsewhere.
+fn names(path: &Path) -> [&OsStr; 3] {
+    let mut names = path.iter().rev();
+    std::array::from_fn(|_| names.next().unwrap_or_default())
+}
+
+/// Whether two paths are those of variants of a file.
+fn are_variants(one: &Path, other: &Path) -> bool {
+    let ([name, folder, outer], [other_name, other_folder, other_outer]) =
+        (names(one), names(other));
+    if name == other_name {
+        return folder != other_folder && outer == other_outer;
+    }
+    let first = |name: &OsStr| {
+        let name = name.to_string_lossy();
+        let end = name.find(['.', '_', '-'])?;
+        name.get(..=end).map(str::to_owned)
+    };
+    folder == other_folder
+        && one.extension() == other.extension()
+        && first(name).is_some_and(|part| Some(part) == first(other_name))
 }

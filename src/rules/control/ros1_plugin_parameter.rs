@@ -4,7 +4,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::gazebo_ros::{NAMESPACE, REMAPPING, plugins_for_ros2, renamed};
 use expand::{XId, XTree};
-use model::{AttrValue, tag_start};
+use model::{AttrValue, Link, tag_start};
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "CTL031",
@@ -43,6 +43,18 @@ fn is_default((name, new): (&str, &str), value: &str, has_namespace: bool) -> bo
     }
 }
 
+/// Whether the frame that drives take without a parameter is the root of the robot: another one would get a second parent.
+fn has_default_base(cx: &DocumentCx<'_>, new: &str) -> bool {
+    /// Source: `gazebo_ros_diff_drive` and `gazebo_ros_planar_move` of ROS 2.
+    const DEFAULT: &str = "base_footprint";
+    let links = cx.robot.into_iter().flat_map(|robot| {
+        let kinematics = robot.kinematics();
+        let roots = kinematics.roots(robot).into_iter();
+        roots.filter_map(|root| robot.links.get(root))
+    });
+    new == "robot_base_frame" && links.map(Link::shown).any(|root| root == DEFAULT)
+}
+
 /// Whether a plugin is put into a namespace.
 fn has_namespace(tree: &XTree, plugin: XId) -> bool {
     let mut ros = tree
@@ -68,7 +80,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             let value = AttrValue::content(tree, parameter);
             let value = value.as_ref().map_or("", |value| value.value.trim());
             let is_default = is_default((name, new), value, is_named);
-            (!is_default && !is_there(tree, plugin, new)).then_some((parameter, name, new))
+            let is_needless = is_default || has_default_base(cx, new);
+            (!is_needless && !is_there(tree, plugin, new)).then_some((parameter, name, new))
         });
         let mut old = old.peekable();
         let Some(&(first, name, new)) = old.peek() else {

@@ -4,7 +4,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, pa
 use super::super::sink::Sink;
 use super::names;
 use base::FastSet;
-use expand::{BindingId, BindingKind};
+use expand::{BindingId, BindingKind, Piece};
 use model::AttrValue;
 
 pub(super) static RULE: Rule = Rule {
@@ -56,14 +56,18 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     }
 }
 
-/// Whether the text in front of the slash comes from an argument that is empty here: who runs the file gives it.
+/// Whether the slash stands behind an argument that is empty here: who runs the file gives it.
 fn follows_empty_argument(cx: &DocumentCx<'_>, name: &AttrValue) -> bool {
+    let is_first = |piece: &&Piece| piece.out.start == 0;
+    let first: Vec<Piece> = name.pieces.iter().filter(is_first).cloned().collect();
+    cx.expansion.empty_argument(&first).is_some() || follows_argument(cx, &first)
+}
+
+/// Whether empty text comes from an argument.
+fn follows_argument(cx: &DocumentCx<'_>, first: &[Piece]) -> bool {
     let expansion = cx.expansion;
-    let first = name
-        .pieces
-        .iter()
-        .filter(|piece| piece.out.start == 0 && piece.out.is_empty());
-    let mut reads: Vec<BindingId> = first
+    let empty = first.iter().filter(|piece| piece.out.is_empty());
+    let mut reads: Vec<BindingId> = empty
         .flat_map(|piece| expansion.index.read_in(piece.reads).iter().copied())
         .collect();
     let mut seen = FastSet::default();

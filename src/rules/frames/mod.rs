@@ -15,7 +15,7 @@ mod names;
 mod optical_frame_orientation;
 mod origin_units_mm;
 mod poses;
-mod reserved_frame_name;
+pub(super) mod reserved_frame_name;
 mod root_not_conventional;
 mod rpy_degrees;
 mod tool0_not_fixed;

@@ -5,7 +5,7 @@ use super::super::sink::Sink;
 use super::names::prefix_of;
 use model::{Joint, JointType, Link};
 
-pub(super) static RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "FRM005",
     name: "reserved-frame-name",
     category: Category::Frames,

@@ -24,7 +24,7 @@ pub(super) fn is_joined(cx: &DocumentCx<'_>, link: &Link) -> bool {
 pub(super) fn is_small_part(cx: &DocumentCx<'_>, link: &Link, mass: f64) -> bool {
     const SMALL: f64 = 0.05;
     let mut name = link.shown();
-    for _ in 0..=cx.joints().len() {
+    for _ in 0..=cx.joint_count() {
         let Some(joint) = joint_above(cx, name) else {
             return false;
         };
@@ -67,7 +67,7 @@ pub(super) fn is_built_into_world(cx: &DocumentCx<'_>, link: &Link) -> bool {
 fn chain_to_world<'a>(cx: &'a DocumentCx<'_>, link: &'a Link) -> Option<Vec<&'a Joint>> {
     let mut name = link.shown();
     let mut chain = Vec::new();
-    for _ in 0..=cx.joints().len() {
+    for _ in 0..=cx.joint_count() {
         if is_surroundings(name) {
             return Some(chain);
         }

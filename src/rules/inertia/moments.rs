@@ -6,7 +6,7 @@ use nalgebra::{Matrix3, SymmetricEigen};
 
 use super::super::context::DocumentCx;
 use expand::{Expansion, Origin};
-use model::{Inertial, Link, tag_start};
+use model::{Inertial, Link, tag_start, transform};
 
 /// Negative moments smaller than this part of the greatest are rounding of the program that computed them.
 const ROUNDING: f64 = 7e-6;
@@ -51,6 +51,8 @@ pub(super) struct Impossible {
     pub is_rounded: bool,
     /// What is the same of inertias with the same numbers.
     pub numbers: EcoString,
+    /// The matrix in the axes of the link, kg m^2; none where its frame is not known.
+    pub tensor: Option<Matrix3<f64>>,
 }
 
 /// A largest moment that is less than this part too large is so by rounding.
@@ -72,6 +74,7 @@ pub(super) fn judged(inertial: &Inertial) -> Arc<Judged> {
                     ),
                     is_rounded: is_rounded(inertial, c - a - b, c),
                     numbers: same_numbers(inertial),
+                    tensor: in_link(inertial),
                 })
             }
             _ => None,
@@ -99,6 +102,16 @@ fn last_digit(number: &str) -> f64 {
     let behind_point = i32::try_from(behind_point).unwrap_or(i32::MAX);
     let exponent: i32 = exponent.parse().unwrap_or_default();
     10f64.powi(exponent.saturating_sub(behind_point))
+}
+
+/// The matrix in the axes of the link.
+fn in_link(inertial: &Inertial) -> Option<Matrix3<f64>> {
+    let [xx, xy, xz, yy, yz, zz] = inertial.entries()?;
+    let turned = transform(inertial.origin.as_ref())?
+        .rotation
+        .to_rotation_matrix();
+    let own = Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz);
+    Some(turned * own * turned.transpose())
 }
 
 fn same_numbers(inertial: &Inertial) -> EcoString {

@@ -89,7 +89,11 @@ impl Callers {
     /// move.
     pub fn leave_joints_alone(&self, launch: &Path) -> bool {
         self.mentions(launch).is_some_and(|mentions| {
-            mentions.is_whole && !mentions.moves && !mentions.publishes_states
+            // what simulates or controls publishes them where a description or program says so
+            let mut all = mentions.says.values();
+            mentions.is_whole
+                && !mentions.publishes_states
+                && !(mentions.moves && all.any(|words| words.may_move_joints()))
         })
     }
 

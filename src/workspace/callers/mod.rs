@@ -12,6 +12,7 @@ mod era;
 mod file_names;
 mod instead;
 mod loaded;
+mod localizing;
 mod meant;
 mod mentions;
 mod programs;

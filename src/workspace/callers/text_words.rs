@@ -35,11 +35,13 @@ const CONTROLS: u32 = 1 << 14;
 const CLASSIC: u32 = 1 << 15;
 /// Only the exporter of SolidWorks writes this, into the launch file for Gazebo beside each robot.
 const EXPORTED: u32 = 1 << 16;
-/// Something may publish the states of joints.
+/// Something may publish the states of joints, or place links that move.
 const STATES: u32 = 1 << 17;
+/// Something other than Gazebo moves joints: another simulator, a planner, controllers.
+const MOVES: u32 = 1 << 18;
 
 /// The words, also as parts of others, and what each of them says.
-const WORDS: [(&str, u32); 64] = [
+const WORDS: [(&str, u32); 66] = [
     ("gazebo", MASSES | TRIANGLES | SIMULATES),
     ("gazebo_ros", CLASSIC),
     ("gzserver", CLASSIC),
@@ -62,11 +64,11 @@ const WORDS: [(&str, u32); 64] = [
     ("-topic", DESCRIPTION),
     ("-urdf", DESCRIPTION),
     (".sdf", SDF),
-    ("webots", MASSES | TRIANGLES | SIMULATES),
+    ("webots", MASSES | TRIANGLES | SIMULATES | MOVES),
     ("coppelia", MASSES | TRIANGLES),
     ("vrep", MASSES | TRIANGLES),
     ("bullet", MASSES),
-    ("pybullet", SIMULATES),
+    ("pybullet", SIMULATES | MOVES),
     ("drake", MASSES | REFUSES),
     ("raisim", MASSES),
     ("genesis", MASSES),
@@ -80,15 +82,15 @@ const WORDS: [(&str, u32); 64] = [
     ("RBDL", MASSES),
     ("dynamics", MASSES),
     ("Dynamics", MASSES),
-    ("mujoco", MASSES_UNLESS_OWN | SIMULATES | REFUSES),
-    ("isaac", MASSES_UNLESS_OWN | SIMULATES),
+    ("mujoco", MASSES_UNLESS_OWN | SIMULATES | REFUSES | MOVES),
+    ("isaac", MASSES_UNLESS_OWN | SIMULATES | MOVES),
     ("<worldbody", OWN_MODEL),
     (".usd", OWN_MODEL),
-    ("moveit", TRIANGLES | SIMULATES),
+    ("moveit", TRIANGLES | SIMULATES | MOVES),
     ("MoveItConfigs", BUILDS_MOVEIT),
     ("fcl", TRIANGLES),
     ("hpp-", TRIANGLES),
-    ("controller_manager", SIMULATES | CONTROLS),
+    ("controller_manager", SIMULATES | CONTROLS | MOVES),
     ("hardware_interface::", CONTROLS),
     ("ros_control", CONTROLS),
     ("transmission_interface", CONTROLS),
@@ -105,6 +107,9 @@ const WORDS: [(&str, u32); 64] = [
     ("joint_state", STATES),
     ("joint-state", STATES),
     ("JointState", STATES),
+    // drives of Gazebo that place wheels by themselves
+    ("publish_wheel_tf", STATES),
+    ("publishWheelTF", STATES),
 ];
 
 impl TextWords {
@@ -202,6 +207,11 @@ impl TextWords {
     /// Whether a text may publish the states of joints.
     pub const fn publishes_states(self) -> bool {
         self.has(STATES)
+    }
+
+    /// Whether a text has the states of joints published, or runs what may do so and is not Gazebo.
+    pub const fn may_move_joints(self) -> bool {
+        self.0 & (STATES | CONTROLS | BUILDS_MOVEIT | MOVES) != 0
     }
 
     /// Whether a program builds the configuration of MoveIt from the names of packages.

@@ -1,0 +1,47 @@
+//! Whether a robot is localized in the world, or is meant to be.
+
+use std::path::Path;
+
+use super::Callers;
+use super::file_names;
+use super::read::{self, has_any};
+use super::walk::walk;
+
+/// Words of programs that publish the frames around a robot, and of their settings.
+const WORDS: [&str; 12] = [
+    "amcl",
+    "cartographer",
+    "diff_drive",
+    "gmapping",
+    "localization",
+    "map_server",
+    "move_base",
+    "nav2",
+    "odometry",
+    "rtabmap",
+    "slam",
+    "SLAM",
+];
+
+impl Callers {
+    /// Whether a launch file, program, setting or page around a description names a program that localizes robots; also where not all
+    /// of them are known, or nothing runs.
+    pub fn localize_any(&self, file: &Path) -> bool {
+        let (Some(top), Some(mentions)) = (self.packages.sources_around(file), self.mentions(file))
+        else {
+            return true;
+        };
+        if !(mentions.is_whole && mentions.runs) {
+            return true;
+        }
+        let vfs = self.packages.vfs();
+        let mut is_any = false;
+        let is_whole = walk(vfs, &top, &mut |path, name, is_small| {
+            let is_read = !is_any && file_names::may_call(name) && is_small();
+            let text = is_read.then(|| vfs.text(path).ok()).flatten();
+            is_any |=
+                text.is_some_and(|text| has_any(&read::without_comments(name, &text.text), &WORDS));
+        });
+        is_any || !is_whole
+    }
+}
