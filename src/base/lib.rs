@@ -10,6 +10,7 @@ pub mod paths;
 mod position;
 mod range;
 mod severity;
+mod shared_vec;
 mod text;
 
 pub use cache::Cache;
@@ -19,6 +20,7 @@ pub use id_vec::{Id, IdVec};
 pub use position::{Encoding, LineCol, count_line_ends, last_line_start, line_end, nth_line_start};
 pub use range::{FileId, Span, TextRange};
 pub use severity::Severity;
+pub use shared_vec::{SharedIdVec, SharedVec, SharedVecIter};
 pub use text::{counted, escape_xml};
 
 /// The hash map used throughout: fast, not resistant to chosen keys, never iterated into output.

@@ -14,7 +14,7 @@ use super::macro_table::{MacroDef, MacroTable};
 use super::names::EvalContext;
 use super::node::{Attrs, XId};
 use super::scope::PropertyScope;
-use base::FastMap;
+use base::{FastMap, SharedVec};
 use expr::ScopeId;
 
 /// A place in front of an item.
@@ -96,7 +96,7 @@ pub(super) struct Around {
 pub(super) struct ResumeState {
     /// In order.
     pub checkpoints: Vec<Checkpoint>,
-    pub changes: Vec<Change>,
+    pub changes: SharedVec<Change>,
     /// How often something changed at the end in a way that cannot be taken back, and in place.
     pub unclear: usize,
     pub in_place: u64,

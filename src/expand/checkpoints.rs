@@ -161,6 +161,7 @@ impl Expander<'_> {
         }
         let lengths = self.lengths();
         let steps = &mut self.steps;
+        steps.journal.changes.finish();
         Some(ResumeState {
             checkpoints: std::mem::take(&mut steps.checkpoints),
             changes: std::mem::take(&mut steps.journal.changes),

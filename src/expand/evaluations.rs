@@ -4,8 +4,10 @@ use std::sync::OnceLock;
 
 use super::origin::{FrameId, Origin};
 use super::symbols::SourceRange;
+#[cfg(debug_assertions)]
+use base::SharedVec;
 use base::limits::EVALUATIONS;
-use base::{FastMap, IdVec, TextRange};
+use base::{FastMap, SharedIdVec, TextRange};
 use expr::Value;
 
 /// A value that an expression gave.
@@ -28,7 +30,7 @@ base::ids!(EvaluationId);
 /// All values that expressions gave, in order.
 #[derive(Clone, Debug, Default)]
 pub struct Evaluations {
-    list: IdVec<EvaluationId, Evaluation>,
+    list: SharedIdVec<EvaluationId, Evaluation>,
     /// By place, made on first use.
     places: OnceLock<FastMap<SourceRange, Vec<EvaluationId>>>,
     /// The first of each place and frame, made on first use.
@@ -49,14 +51,9 @@ impl Evaluations {
         found.filter_map(|&id| self.list.get(id))
     }
 
-    /// Make room for as many as others are.
-    pub(super) fn reserve_like(&mut self, others: &Self) {
-        self.list.reserve(others.len());
-    }
-
-    /// Give back the room for more.
-    pub(super) fn shrink(&mut self) {
-        self.list.shrink_to_fit();
+    /// They are complete: the next expansion may share them.
+    pub(super) fn finish(&mut self) {
+        self.list.list_mut().finish();
     }
 
     /// The first of one `${...}` or `$(...)` in one frame.
@@ -74,8 +71,8 @@ impl Evaluations {
     }
 
     #[cfg(debug_assertions)]
-    pub(super) fn all(&self) -> &[Evaluation] {
-        self.list.as_slice()
+    pub(super) fn all(&self) -> &SharedVec<Evaluation> {
+        self.list.list()
     }
 
     /// How many there are.
@@ -90,12 +87,8 @@ impl Evaluations {
 
     /// The values of a part of them.
     pub(super) fn values(&self, part: Range<usize>) -> impl Iterator<Item = &Value> {
-        self.list
-            .as_slice()
-            .get(part)
-            .unwrap_or_default()
-            .iter()
-            .map(|evaluation| &evaluation.value)
+        let part = self.list.list().range(part);
+        part.map(|evaluation| &evaluation.value)
     }
 
     /// The places of all from one on.
@@ -105,8 +98,7 @@ impl Evaluations {
 
     /// Add a part of others.
     pub(super) fn extend_from(&mut self, others: &Self, part: Range<usize>) {
-        self.list
-            .extend_from_slice(others.list.as_slice().get(part).unwrap_or_default());
+        self.list.list_mut().extend_from(others.list.list(), part);
     }
 
     /// Note what an expression gave.

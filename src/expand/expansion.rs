@@ -13,7 +13,7 @@ use super::problem::{FileRange, Problem, Severity};
 use super::record::Record;
 use super::symbols::{DefinitionId, Symbols};
 use super::tree::XTree;
-use base::{IdVec, TextRange};
+use base::{IdVec, SharedIdVec, TextRange};
 use vfs::{LoadError, SourceFile};
 
 /// A file that took part.
@@ -42,7 +42,7 @@ pub struct Probe {
 #[derive(Debug, Default)]
 pub struct NameIndex {
     /// Properties, parameters and arguments that pieces refer to.
-    pub bindings: IdVec<BindingId, BindingInfo>,
+    pub bindings: SharedIdVec<BindingId, BindingInfo>,
     /// What was read, in the order in which it was wanted: see [`Self::read_in`].
     pub(super) reads: Vec<BindingId>,
     /// What each expression gave, each time.
@@ -72,7 +72,7 @@ pub struct Expansion {
     /// Items that origins refer to.
     pub sources: IdVec<SrcId, SourceItem>,
     /// Steps that origins refer to.
-    pub frames: IdVec<FrameId, Frame>,
+    pub frames: SharedIdVec<FrameId, Frame>,
     /// What names refer to, and the values of expressions.
     pub index: NameIndex,
     /// All problems in the order they were met.
@@ -103,22 +103,16 @@ impl Expansion {
     pub(super) fn reserve_like(&mut self, before: &Self) {
         // blank text is gone from the tree that was kept
         self.tree.reserve(before.tree.len() + before.tree.len() / 4);
-        self.frames.reserve(before.frames.len());
-        self.index.bindings.reserve(before.index.bindings.len());
         self.index.reads.reserve(before.index.reads.len());
-        self.index
-            .evaluations
-            .reserve_like(&before.index.evaluations);
-        self.index.symbols.reserve_like(&before.index.symbols);
     }
 
     /// Give back the room for more of everything: a language server keeps expansions for long.
     pub(super) fn shrink(&mut self) {
-        self.frames.shrink_to_fit();
-        self.index.bindings.shrink_to_fit();
+        self.frames.list_mut().finish();
+        self.index.bindings.list_mut().finish();
         self.sources.shrink_to_fit();
-        self.index.symbols.shrink();
-        self.index.evaluations.shrink();
+        self.index.symbols.finish();
+        self.index.evaluations.finish();
         self.index.reads.shrink_to_fit();
     }
 

@@ -9,13 +9,13 @@ use super::macro_table::{MacroDef, MacroEntry, Macros};
 use super::names::NameTables;
 use super::scope::{Binding, PropertyState, Scopes};
 use super::symbols::DefinitionId;
-use base::{IdVec, TextRange};
+use base::{SharedIdVec, SharedVec, TextRange};
 use expr::Value;
 
 /// Changes in the order in which they were made, and how often something changed that is not among them.
 #[derive(Debug, Default)]
 pub(super) struct Journal {
-    pub changes: Vec<Change>,
+    pub changes: SharedVec<Change>,
     /// How often something changed in another way: no expansion goes back to a place before that.
     pub unclear: usize,
     /// What cannot be put back at all was stored: a namespace, a function.
@@ -56,7 +56,7 @@ pub(super) enum Change {
     },
 }
 
-type Bindings = IdVec<BindingId, BindingInfo>;
+type Bindings = SharedIdVec<BindingId, BindingInfo>;
 
 impl Change {
     /// The name that it defines in the document.
@@ -68,23 +68,22 @@ impl Change {
         }
     }
 
-    /// Make it again.
-    pub fn redo(&self, names: &mut NameTables, bindings: &mut Bindings) {
+    /// The binding that was there already and that it changes.
+    pub fn binding(&self) -> Option<BindingId> {
+        match self {
+            Self::Forced { info, .. } | Self::Declared { info, .. } => Some(*info),
+            Self::Property { .. } | Self::Macro { .. } | Self::Argument { .. } => None,
+        }
+    }
+
+    /// Make it again, but for what it did to a binding.
+    pub fn redo(&self, names: &mut NameTables) {
         let top = &mut names.scopes.get_mut(Scopes::TOP).vars;
         match self {
             Self::Property { name, new, .. } => top.insert(name.clone(), new.clone()),
-            Self::Forced {
-                name,
-                info,
-                value,
-                reads,
-                ..
-            } => {
+            Self::Forced { name, value, .. } => {
                 if let Some(binding) = top.get_mut(name) {
                     binding.state = PropertyState::Ready(value.clone());
-                }
-                if let Some(info) = bindings.get_mut(*info) {
-                    (info.reads, info.value) = (*reads, Some(value.clone()));
                 }
             }
             Self::Macro { new, .. } => {
@@ -94,11 +93,26 @@ impl Change {
             Self::Argument { name, value } => {
                 names.args.insert(name.clone(), value.clone());
             }
+            Self::Declared { .. } => {}
+        }
+    }
+
+    /// Do again what it did to a binding.
+    pub fn redo_binding(&self, bindings: &mut Bindings) {
+        match self {
+            Self::Forced {
+                info, value, reads, ..
+            } => {
+                if let Some(info) = bindings.get_mut(*info) {
+                    (info.reads, info.value) = (*reads, Some(value.clone()));
+                }
+            }
             Self::Declared { info, definition } => {
                 if let Some(info) = bindings.get_mut(*info) {
                     info.definition = Some(*definition);
                 }
             }
+            Self::Property { .. } | Self::Macro { .. } | Self::Argument { .. } => {}
         }
     }
 

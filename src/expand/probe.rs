@@ -27,7 +27,7 @@ impl Expander<'_> {
                 .rev()
             {
                 let uses = &expander.result.index.symbols.uses;
-                let new = uses.get(seen..).unwrap_or_default().iter();
+                let new = uses.range(seen..uses.len());
                 let calls = new.filter(|used| used.kind == UseKind::Call);
                 called.extend(calls.map(|used| used.definition));
                 seen = uses.len();

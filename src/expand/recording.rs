@@ -154,9 +154,8 @@ impl Expander<'_> {
         let values = result
             .index
             .bindings
-            .as_slice()
-            .get(start.bindings..)?
             .iter()
+            .skip(start.bindings)
             .filter_map(|info| info.value.as_ref());
         let evaluations = start.evaluations..result.index.evaluations.len();
         let is_plain_data = values

@@ -14,7 +14,7 @@ use super::same::is_same_change;
 use super::scope::Scopes;
 use super::symbols::{Definition, Use};
 use super::tag::SiblingState;
-use base::Id;
+use base::{Id, SharedVecIter};
 
 impl Expander<'_> {
     /// Leave out the items behind a checkpoint of the last expansion when everything stands as it did there; the item to go on with.
@@ -102,18 +102,18 @@ impl Expander<'_> {
         (from, then): (&Checkpoint, &Checkpoint),
         now: &Checkpoint,
     ) -> bool {
-        let changes = part(&resume.changes, from.lengths.changes..then.lengths.changes);
-        let own = part(
-            &self.steps.journal.changes,
-            from.lengths.changes..now.lengths.changes,
-        );
+        let changes = resume
+            .changes
+            .range(from.lengths.changes..then.lengths.changes);
+        let own = &self.steps.journal.changes;
+        let own = own.range(from.lengths.changes..now.lengths.changes);
         let is_same = |(a, b): (&Change, &Change)| is_same_change((a, &self.result), (b, before));
         let record = |expansion: &'_ Expansion, range: Range<usize>| -> Vec<Read> {
             let reads = expansion.record.iter().skip(range.start);
             reads.take(range.len()).cloned().collect()
         };
         changes.len() == own.len()
-            && own.iter().zip(changes).all(is_same)
+            && own.zip(changes).all(is_same)
             && record(&self.result, from.lengths.record..now.lengths.record)
                 == record(before, from.lengths.record..then.lengths.record)
             && self.named_the_same(before, (from, then), now)
@@ -143,10 +143,9 @@ impl Expander<'_> {
             (a.kind, &a.name, a.of) == (b.kind, &b.name, b.of)
                 && (a.place == b.place || is_own(a.place.src) && is_own(b.place.src))
         };
-        let given = part(symbols.definitions.as_slice(), definitions.clone());
-        let foreign = |uses: &[Use]| -> Vec<Use> {
-            uses.iter()
-                .copied()
+        let given = symbols.definitions.list().range(definitions.clone());
+        let foreign = |uses: SharedVecIter<'_, Use>| -> Vec<Use> {
+            uses.copied()
                 .filter(|used| !is_own(used.place.src))
                 .collect()
         };
@@ -157,16 +156,17 @@ impl Expander<'_> {
         let made = from.lengths.conditional..now.lengths.conditional;
         conditional == part(&symbols.made_conditional, made)
             && given
-                .iter()
-                .zip(part(old.definitions.as_slice(), definitions))
+                .zip(old.definitions.list().range(definitions))
                 .all(is_same)
-            && foreign(part(&symbols.uses, from.lengths.uses..now.lengths.uses))
-                == foreign(part(&old.uses, from.lengths.uses..then.lengths.uses))
+            && foreign(symbols.uses.range(from.lengths.uses..now.lengths.uses))
+                == foreign(old.uses.range(from.lengths.uses..then.lengths.uses))
     }
 
     /// Whether the items behind reported nothing, and define no name that was asked for too early.
     fn leads_on(&self, resume: &ResumeState, then: &Checkpoint, end: &Checkpoint) -> bool {
-        let changes = part(&resume.changes, then.lengths.changes..end.lengths.changes);
+        let mut changes = resume
+            .changes
+            .range(then.lengths.changes..end.lengths.changes);
         let is_early = |name| self.names.undefined.keys().any(|(_, early)| early == name);
         let behind = resume.checkpoints.iter().rev();
         let mut behind = behind.take_while(|checkpoint| checkpoint.item > then.item);
@@ -175,7 +175,7 @@ impl Expander<'_> {
                 || behind.all(|checkpoint| checkpoint.is_complete))
             && (then.lengths.unclear, then.in_place) == (end.lengths.unclear, end.in_place)
             && (self.names.undefined.is_empty()
-                || !changes.iter().filter_map(Change::defines).any(is_early))
+                || !changes.by_ref().filter_map(Change::defines).any(is_early))
     }
 
     /// Whether no limit is reached in the items behind.
@@ -200,10 +200,10 @@ impl Expander<'_> {
         let (from, to) = (&then.lengths, &end.lengths);
         let result = &mut self.result;
         let index = &before.index;
-        result.frames.extend_from_slice(part(
-            before.frames.as_slice(),
+        result.frames.list_mut().extend_from(
+            before.frames.list(),
             then.numbers.frames..end.numbers.frames,
-        ));
+        );
         result.sources.extend_from_slice(part(
             before.sources.as_slice(),
             then.numbers.sources..end.numbers.sources,
@@ -259,17 +259,26 @@ impl Expander<'_> {
         let names = &mut self.names;
         let given = then.numbers.bindings..end.numbers.bindings;
         let own = &mut self.result.index.bindings;
-        own.extend_from_slice(part(before.index.bindings.as_slice(), given));
+        own.list_mut()
+            .extend_from(before.index.bindings.list(), given);
         // what the end of the expansion did is done again there
-        let later = resume.changes.get(end.lengths.changes..);
-        for change in later.unwrap_or_default().iter().rev() {
+        let later = end.lengths.changes..resume.changes.len();
+        for change in resume.changes.range(later).rev() {
             change.undo_binding(own);
         }
-        let changes = part(&resume.changes, then.lengths.changes..end.lengths.changes);
-        for change in changes {
-            change.redo(names, own);
+        let between = then.lengths.changes..end.lengths.changes;
+        for change in resume.changes.range(between.clone()) {
+            change.redo(names);
+            // those of these items are as they were in the end
+            if change
+                .binding()
+                .is_some_and(|info| info.index() < then.numbers.bindings)
+            {
+                change.redo_binding(own);
+            }
         }
-        self.steps.journal.changes.extend_from_slice(changes);
+        let changes = &mut self.steps.journal.changes;
+        changes.extend_from(&resume.changes, between);
         names.scopes.get_mut(Scopes::TOP).evaluated = end.state.evaluated;
         names.scopes.skip(end.numbers.scopes - then.numbers.scopes);
         names.macros.skip(end.numbers.tables - then.numbers.tables);

@@ -172,7 +172,7 @@ impl Expander<'_> {
             };
         let is_named_alike =
             |id| is_same_definition(now, then, id) || given.iter().any(|(_, given)| *given == id);
-        let bindings = part(before.index.bindings.as_slice(), step.bindings.clone());
+        let mut bindings = before.index.bindings.list().range(step.bindings.clone());
         given.iter().enumerate().all(&mut is_given_alike)
             && step
                 .symbols
@@ -180,7 +180,7 @@ impl Expander<'_> {
                 .iter()
                 .all(|(used, _)| is_named_alike(used.definition))
             && bindings
-                .iter()
+                .by_ref()
                 .filter_map(|info| info.definition)
                 .all(is_named_alike)
     }
@@ -194,13 +194,10 @@ impl Expander<'_> {
     fn add_lists(&mut self, before: &Expansion, kept: &StepResult) {
         let step = &kept.step;
         let result = &mut self.result;
-        result
-            .frames
-            .extend_from_slice(part(before.frames.as_slice(), step.frames.clone()));
-        result.index.bindings.extend_from_slice(part(
-            before.index.bindings.as_slice(),
-            step.bindings.clone(),
-        ));
+        let frames = result.frames.list_mut();
+        frames.extend_from(before.frames.list(), step.frames.clone());
+        let bindings = result.index.bindings.list_mut();
+        bindings.extend_from(before.index.bindings.list(), step.bindings.clone());
         result
             .index
             .reads

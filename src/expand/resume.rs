@@ -155,10 +155,9 @@ impl<'w> Expander<'w> {
         if checkpoint.state.has_marker {
             result.tree.append(root, self.marker);
         }
-        result.frames.clear();
-        result
-            .frames
-            .extend_from_slice(part(before.frames.as_slice(), 0..numbers.frames));
+        let frames = result.frames.list_mut();
+        frames.clear();
+        frames.extend_from(before.frames.list(), 0..numbers.frames);
         let own = result.sources.len();
         let more = before.sources.as_slice().get(own..numbers.sources);
         result.sources.extend_from_slice(more.unwrap_or_default());
@@ -206,7 +205,9 @@ impl<'w> Expander<'w> {
         self.guards.budget.bytes = self.guards.start.1 - lengths.spent.1;
         self.steps.packages.clone_from(&resume.packages);
         self.steps.journal.unclear = lengths.unclear;
-        self.steps.journal.changes = part(&resume.changes, 0..lengths.changes).to_vec();
+        let changes = &mut self.steps.journal.changes;
+        changes.clear();
+        changes.extend_from(&resume.changes, 0..lengths.changes);
         self.steps.nodes_left_out = lengths.nodes - self.result.tree.len();
     }
 
@@ -217,14 +218,13 @@ impl<'w> Expander<'w> {
         names.macros.put_top(resume.macros.clone());
         names.args.clone_from(&resume.args);
         let bindings = &mut self.result.index.bindings;
-        bindings.clear();
-        let kept = part(
-            before.index.bindings.as_slice(),
-            0..checkpoint.numbers.bindings,
-        );
-        bindings.extend_from_slice(kept);
-        let later = resume.changes.get(checkpoint.lengths.changes..);
-        for change in later.unwrap_or_default().iter().rev() {
+        let kept = checkpoint.numbers.bindings;
+        bindings.list_mut().clear();
+        bindings
+            .list_mut()
+            .extend_from(before.index.bindings.list(), 0..kept);
+        let later = checkpoint.lengths.changes..resume.changes.len();
+        for change in resume.changes.range(later).rev() {
             change.undo(names, bindings);
         }
         names.scopes.get_mut(Scopes::TOP).evaluated = checkpoint.state.evaluated;

@@ -4,7 +4,7 @@ use ecow::EcoString;
 use super::origin::{Origin, SrcId};
 use super::part::part;
 use super::places::Places;
-use base::{FastSet, Id, IdVec, TextRange};
+use base::{FastSet, Id, SharedIdVec, SharedVec, TextRange};
 
 /// A definition: index of [`Symbols::definitions`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -94,9 +94,9 @@ pub struct Use {
 #[derive(Clone, Debug, Default)]
 pub struct Symbols {
     /// What introduces a name: properties, macros, parameters, arguments.
-    pub definitions: IdVec<DefinitionId, Definition>,
+    pub definitions: SharedIdVec<DefinitionId, Definition>,
     /// Texts that refer to a definition, but for [`Symbols::quiet_uses`].
-    pub uses: Vec<Use>,
+    pub uses: SharedVec<Use>,
     /// Uses by properties that nothing reads.
     pub quiet_uses: Vec<Use>,
     known: Places<(SourceRange, EcoString)>,
@@ -147,15 +147,15 @@ impl Symbols {
         (definitions, uses, conditional): (usize, usize, usize),
     ) {
         (self.known, self.used) = (others.known.clone(), others.used.clone());
-        self.definitions
-            .extend_from_slice(part(others.definitions.as_slice(), 0..definitions));
+        let own = self.definitions.list_mut();
+        own.extend_from(others.definitions.list(), 0..definitions);
         let (before, later) = others
             .made_conditional
             .split_at_checked(conditional)
             .unwrap_or_default();
         self.made_conditional.extend(before);
         self.set_conditional(later, false);
-        self.uses.extend_from_slice(part(&others.uses, 0..uses));
+        self.uses.extend_from(&others.uses, 0..uses);
         self.restored_uses = self.uses.len();
     }
 
@@ -168,8 +168,8 @@ impl Symbols {
         to: (usize, usize, usize),
     ) {
         debug_assert_eq!(self.definitions.len(), from.0);
-        self.definitions
-            .extend_from_slice(part(others.definitions.as_slice(), from.0..to.0));
+        let own = self.definitions.list_mut();
+        own.extend_from(others.definitions.list(), from.0..to.0);
         let later = others.made_conditional.get(to.2..).unwrap_or_default();
         let later: Vec<DefinitionId> = later
             .iter()
@@ -180,18 +180,18 @@ impl Symbols {
         let made = part(&others.made_conditional, from.2..to.2);
         self.set_conditional(made, true);
         self.made_conditional.extend(made);
-        let added = part(&others.uses, from.1..to.1);
-        let own = part(&self.uses, self.restored_uses..self.uses.len());
+        let mut own = self.uses.range(self.restored_uses..self.uses.len());
         let is_among = |used| {
             others
                 .place_of(used)
                 .is_some_and(|at| (from.1..to.1).contains(&at))
         };
         // at the same places the table that both share knows them
-        if self.uses.len() == from.1 && !own.iter().any(is_among) {
-            self.uses.extend_from_slice(added);
+        if self.uses.len() == from.1 && !own.any(is_among) {
+            self.uses.extend_from(&others.uses, from.1..to.1);
         } else {
-            added.iter().for_each(|&used| self.add_use(used, false));
+            let added = others.uses.range(from.1..to.1);
+            added.for_each(|&used| self.add_use(used, false));
         }
     }
 
@@ -203,21 +203,14 @@ impl Symbols {
         }
     }
 
-    /// Make room for as many as others are.
-    pub(super) fn reserve_like(&mut self, others: &Self) {
-        self.definitions.reserve(others.definitions.len());
-        self.uses.reserve(others.uses.len());
-        self.quiet_uses.reserve(others.quiet_uses.len());
-    }
-
-    /// Give back what only serves to add more.
-    pub(super) fn shrink(&mut self) {
+    /// They are complete: the next expansion may share them.
+    pub(super) fn finish(&mut self) {
         self.quietly_used = FastSet::default();
         let key = |definition: &Definition| (definition.place, definition.name.clone());
         self.known.finish(self.definitions.iter().map(key));
         self.used.finish(self.uses.iter().copied());
-        self.definitions.shrink_to_fit();
-        self.uses.shrink_to_fit();
+        self.definitions.list_mut().finish();
+        self.uses.finish();
     }
 
     pub(super) fn start_log(&mut self) {
@@ -231,7 +224,7 @@ impl Symbols {
     /// The number of a definition that was met.
     pub(super) fn number_of(&self, definition: &Definition) -> Option<DefinitionId> {
         let is_at = |place: usize| {
-            let known = self.definitions.as_slice().get(place);
+            let known = self.definitions.list().get(place);
             known.is_some_and(|known| {
                 known.place == definition.place && known.name == definition.name
             })

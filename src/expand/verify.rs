@@ -6,12 +6,8 @@ use super::expansion::Expansion;
 /// Compare everything that can be seen of two expansions.
 pub(super) fn same(made: &Expansion, fresh: &Expansion) {
     list("node", &made.tree.all(), &fresh.tree.all());
-    list("frame", made.frames.as_slice(), fresh.frames.as_slice());
-    list(
-        "binding",
-        made.index.bindings.as_slice(),
-        fresh.index.bindings.as_slice(),
-    );
+    list("frame", &made.frames, &fresh.frames);
+    list("binding", &made.index.bindings, &fresh.index.bindings);
     list("read", &made.index.reads, &fresh.index.reads);
     list(
         "evaluation",
@@ -20,8 +16,8 @@ pub(super) fn same(made: &Expansion, fresh: &Expansion) {
     );
     list(
         "definition",
-        made.index.symbols.definitions.as_slice(),
-        fresh.index.symbols.definitions.as_slice(),
+        &made.index.symbols.definitions,
+        &fresh.index.symbols.definitions,
     );
     list("use", &made.index.symbols.uses, &fresh.index.symbols.uses);
     list(
@@ -44,10 +40,16 @@ pub(super) fn same(made: &Expansion, fresh: &Expansion) {
     );
 }
 
-fn list<T: Debug>(what: &str, made: &[T], fresh: &[T]) {
-    for (number, (a, b)) in made.iter().zip(fresh).enumerate() {
+fn list<'l, T: Debug + 'l, L: IntoIterator<Item = &'l T, IntoIter: ExactSizeIterator>>(
+    what: &str,
+    made: L,
+    fresh: L,
+) {
+    let (made, fresh) = (made.into_iter(), fresh.into_iter());
+    let lengths = (made.len(), fresh.len());
+    for (number, (a, b)) in made.zip(fresh).enumerate() {
         let (a, b) = (format!("{a:?}"), format!("{b:?}"));
         assert_eq!(a, b, "{what} {number} of an incremental expansion");
     }
-    assert_eq!(made.len(), fresh.len(), "how many of {what}");
+    assert_eq!(lengths.0, lengths.1, "how many of {what}");
 }
