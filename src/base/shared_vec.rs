@@ -145,6 +145,20 @@ impl<T> SharedVec<T> {
         }
     }
 
+    /// The index of the first element that is not `before`; those that are stand in front of the others.
+    pub fn partition_point(&self, before: impl Fn(&T) -> bool) -> usize {
+        let (mut start, mut end) = (0, self.len());
+        while start < end {
+            let middle = start + (end - start) / 2;
+            if self.get(middle).is_some_and(&before) {
+                start = middle + 1;
+            } else {
+                end = middle;
+            }
+        }
+        start
+    }
+
     /// The elements from an index on that follow each other in memory.
     fn slice_from(&self, index: usize) -> &[T] {
         match index.checked_sub(self.shared) {
@@ -323,14 +337,10 @@ impl<T> fmt::Debug for SharedVecIter<'_, T> {
     }
 }
 
-impl<'a, T> Iterator for SharedVecIter<'a, T> {
-    type Item = &'a T;
-
-    #[inline]
-    fn next(&mut self) -> Option<&'a T> {
-        if let Some(value) = self.front.next() {
-            return Some(value);
-        }
+impl<'a, T> SharedVecIter<'a, T> {
+    /// Go on to the elements that follow those in front, and take the first.
+    #[cold]
+    fn next_slice(&mut self) -> Option<&'a T> {
         if self.next >= self.end {
             return None;
         }
@@ -339,6 +349,18 @@ impl<'a, T> Iterator for SharedVecIter<'a, T> {
         self.next += slice.len();
         self.front = slice.iter();
         self.front.next()
+    }
+}
+
+impl<'a, T> Iterator for SharedVecIter<'a, T> {
+    type Item = &'a T;
+
+    #[inline]
+    fn next(&mut self) -> Option<&'a T> {
+        match self.front.next() {
+            None => self.next_slice(),
+            value => value,
+        }
     }
 
     #[inline]

@@ -24,10 +24,9 @@ impl<'w> Before<'w> {
 
     pub fn step(&self, call: (SrcId, xml::NodeId)) -> Option<&'w StepResult> {
         let steps = &self.memo.steps;
-        steps.get(
-            steps
-                .binary_search_by_key(&call, |kept| kept.step.call)
-                .ok()?,
-        )
+        let place = steps.partition_point(|kept| kept.step.memo().call < call);
+        steps
+            .get(place)
+            .filter(|kept| kept.step.memo().call == call)
     }
 }

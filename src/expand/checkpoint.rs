@@ -95,7 +95,7 @@ pub(super) struct Around {
 #[derive(Debug)]
 pub(super) struct ResumeState {
     /// In order.
-    pub checkpoints: Vec<Checkpoint>,
+    pub checkpoints: SharedVec<Checkpoint>,
     pub changes: SharedVec<Change>,
     /// How often something changed at the end in a way that cannot be taken back, and in place.
     pub unclear: usize,

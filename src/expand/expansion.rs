@@ -129,11 +129,11 @@ impl Expansion {
 
     /// The macro calls below the root element that the next expansion may take over, each with its first element and the
     /// node behind its last one, in document order. One that was taken over gave the same elements with the same origins.
-    pub fn steps(&self) -> impl Iterator<Item = (StepKey, Range<XId>)> {
+    pub fn steps(&self) -> impl Iterator<Item = (&StepKey, Range<XId>)> {
         let steps = self.memo.iter().flat_map(|memo| &memo.steps);
         steps.map(|kept| {
             let (first, behind) = kept.content;
-            (StepKey(Arc::clone(&kept.step)), first..behind)
+            (&kept.step, first..behind)
         })
     }
 

@@ -18,7 +18,7 @@ use super::record::Read;
 use super::request::Request;
 use super::scope::{NamesRead, SrcRef};
 use super::symbols::SymbolLog;
-use base::TextRange;
+use base::{SharedVec, TextRange};
 use expr::Value;
 use xml::NodeId;
 
@@ -28,7 +28,7 @@ pub(super) struct Memo {
     /// What was asked for; the cancel flag is left out.
     pub request: Request,
     /// In document order.
-    pub steps: Vec<StepResult>,
+    pub steps: SharedVec<StepResult>,
     /// Places between items to go on from.
     pub resume: Option<ResumeState>,
     /// How many of them were taken over from the expansion before, and how many items were not evaluated.
@@ -54,10 +54,17 @@ impl Hash for StepKey {
     }
 }
 
+impl StepKey {
+    /// The step itself.
+    pub(super) fn memo(&self) -> &StepMemo {
+        &self.0
+    }
+}
+
 /// A step and its elements.
 #[derive(Clone, Debug)]
 pub(super) struct StepResult {
-    pub step: Arc<StepMemo>,
+    pub step: StepKey,
     /// Its first element, and the node behind its last one.
     pub content: (XId, XId),
     /// Where its values begin in the list of evaluations; nothing refers to their numbers, so these may change.

@@ -7,7 +7,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::node::{Links, XId, XNode};
+use super::node::{Links, XId, XKind, XNode};
 use base::{FastSet, Id};
 
 /// Nodes that follow each other.
@@ -23,13 +23,20 @@ pub(super) struct Part {
     nodes: Arc<Vec<XNode>>,
     /// The first and the last child of the root element.
     tops: Option<(XId, XId)>,
+    /// Whether one of these may be text.
+    has_text: bool,
     is_own: bool,
 }
 
 impl Part {
     /// Nodes that were made for this document, from a number on.
     pub fn own(start: usize, nodes: Vec<XNode>, tops: Option<(XId, XId)>) -> Self {
+        let node = |id: XId| nodes.get(id.index().checked_sub(start)?);
+        let first = tops.map(|(first, _)| first);
+        let mut all = std::iter::successors(first, |&id| node(id)?.next.some());
+        let is_text = |kind: XKind| matches!(kind, XKind::Text | XKind::CData);
         Self {
+            has_text: all.any(|id| node(id).is_some_and(|node| is_text(node.kind))),
             start,
             len: nodes.len(),
             made: start,
@@ -176,6 +183,26 @@ impl Parts {
         }
     }
 
+    /// Whether a child of the root element may be text.
+    pub fn has_text(&self) -> bool {
+        self.list.iter().any(|part| part.has_text)
+    }
+
+    /// The numbers of nodes that are the very same in another document, each range whole children of the root element.
+    pub fn same_in(&self, other: &Self) -> Vec<Range<XId>> {
+        let overlap = |own: &Part, other: &Part| {
+            let is_one = Arc::ptr_eq(&own.nodes, &other.nodes)
+                && own.start + other.at == other.start + own.at
+                && !(own.is_own && other.is_own);
+            let from = own.start.max(other.start);
+            let to = own.end().min(other.end());
+            (is_one && from < to).then(|| XId::from_index(from)..XId::from_index(to))
+        };
+        let all = self.list.iter();
+        all.flat_map(|own| other.list.iter().filter_map(|other| overlap(own, other)))
+            .collect()
+    }
+
     /// Where the links of a node lead.
     pub fn links(&self, id: XId) -> Links {
         Links {
@@ -214,6 +241,7 @@ impl Parts {
                     },
                     if to == end { last } else { own_last },
                 )),
+                has_text: part.has_text,
                 is_own: false,
             })
         };

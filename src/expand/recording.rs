@@ -4,12 +4,12 @@ use std::sync::Arc;
 
 use ecow::EcoString;
 
-use super::checkpoint::ResumeState;
+use super::checkpoint::{ResumeState, TakenOver};
 use super::compact::Moved;
 use super::expander::Expander;
 use super::expansion::Expansion;
 use super::macro_table::Macros;
-use super::memo::{ForcedProperty, Memo, Recorder, StepMemo, StepReads, StepResult};
+use super::memo::{ForcedProperty, Memo, Recorder, StepKey, StepMemo, StepReads, StepResult};
 use super::names::EvalContext;
 use super::node::{XId, XKind};
 use super::origin::{FrameId, SrcId};
@@ -19,7 +19,7 @@ use super::replay::frames_in;
 use super::request::Request;
 use super::scope::Scopes;
 use super::tag::Tag;
-use base::{CancelFlag, Id};
+use base::{CancelFlag, Id, SharedVec};
 use xml::NodeId;
 
 /// How things stood when a step began.
@@ -83,7 +83,7 @@ impl Expander<'_> {
             let marker = self.result.tree.parent(self.marker);
             if !memo.moves_marker || marker == Some(out) {
                 self.steps.done.push(StepResult {
-                    step: Arc::new(memo),
+                    step: StepKey(Arc::new(memo)),
                     content: (first, first),
                     evaluations,
                 });
@@ -310,8 +310,17 @@ impl Expander<'_> {
             .and_then(|(last, kept)| Some(number(kept)?.away_from(last)));
         let by = by.unwrap_or_default();
         let resume = resume.map(|mut resume| {
+            let here = rest.last.map(|(old, here)| (old, here.and_then(number)));
+            let is_same = |at: usize| {
+                rest.checkpoints.contains(&at)
+                    && by == 0
+                    && here.is_none_or(|(old, here)| old == here)
+            };
             let mut tops = moved.iter().peekable();
-            for (at, checkpoint) in resume.checkpoints.iter_mut().enumerate().skip(rest.front.0) {
+            for at in (rest.front.0..resume.checkpoints.len()).filter(|&at| !is_same(at)) {
+                let Some(checkpoint) = resume.checkpoints.get_mut(at) else {
+                    continue;
+                };
                 let Some(last) = checkpoint.last else {
                     continue;
                 };
@@ -319,32 +328,16 @@ impl Expander<'_> {
                     // there may be several behind the same element
                     while tops.next_if(|one| one.old != last).is_some() {}
                     tops.peek().map(|one| one.new)
-                } else if let Some((_, here)) = rest.last.filter(|(old, _)| *old == Some(last)) {
-                    here.and_then(number)
+                } else if let Some((_, here)) = here.filter(|(old, _)| *old == Some(last)) {
+                    here
                 } else {
                     Some(last.moved(by))
                 };
             }
+            resume.checkpoints.finish();
             resume
         });
-        let tree = &self.result.tree;
-        let mut elements = moved.iter().filter(|one| one.is_element);
-        let steps = std::mem::take(&mut self.steps.done);
-        let steps = steps.into_iter().enumerate().filter_map(|(at, kept)| {
-            let (first, behind) = kept.content;
-            let content = if at < rest.front.1 {
-                (first, behind)
-            } else if rest.steps.contains(&at) {
-                (first.moved(by), behind.moved(by))
-            } else {
-                let first = elements.find(|one| one.old == first)?.new;
-                let more = kept.step.elements.checked_sub(2);
-                let last = more.map_or(Some(first), |more| Some(elements.clone().nth(more)?.new));
-                (first, tree.behind(last?))
-            };
-            Some(StepResult { content, ..kept })
-        });
-        let steps = steps.collect();
+        let steps = self.placed_steps(moved, &rest, by);
         let request = Request {
             cancel: CancelFlag::default(),
             ..self.request.clone()
@@ -356,5 +349,50 @@ impl Expander<'_> {
             taken_over: self.steps.taken_over,
             left_out: self.steps.left_out,
         }
+    }
+
+    /// The steps with their places in the finished document; `by` is how far those behind an edit moved.
+    fn placed_steps(
+        &mut self,
+        moved: &[Moved],
+        rest: &TakenOver,
+        by: i64,
+    ) -> SharedVec<StepResult> {
+        let tree = &self.result.tree;
+        let mut elements = moved.iter().filter(|one| one.is_element);
+        let all = std::mem::take(&mut self.steps.done);
+        let mut steps = SharedVec::new();
+        steps.extend_from(&all, 0..rest.front.1);
+        let mut at = rest.front.1;
+        while let Some(kept) = all.get(at) {
+            let (first, behind) = kept.content;
+            if rest.steps.start == at && by == 0 && !rest.steps.is_empty() {
+                steps.extend_from(&all, rest.steps.clone());
+                at = rest.steps.end;
+                continue;
+            }
+            let content = if rest.steps.contains(&at) {
+                Some((first.moved(by), behind.moved(by)))
+            } else {
+                let found = elements.find(|one| one.old == first);
+                found.and_then(|found| {
+                    let more = kept.step.memo().elements.checked_sub(2);
+                    let last = match more {
+                        Some(more) => elements.clone().nth(more)?.new,
+                        None => found.new,
+                    };
+                    Some((found.new, tree.behind(last)))
+                })
+            };
+            if let Some(content) = content {
+                steps.push(StepResult {
+                    content,
+                    ..kept.clone()
+                });
+            }
+            at += 1;
+        }
+        steps.finish();
+        steps
     }
 }

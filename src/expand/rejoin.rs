@@ -14,7 +14,7 @@ use super::same::is_same_change;
 use super::scope::Scopes;
 use super::symbols::{Definition, Use};
 use super::tag::SiblingState;
-use base::{Id, SharedVecIter};
+use base::{Id, SharedVec, SharedVecIter};
 
 impl Expander<'_> {
     /// Leave out the items behind a checkpoint of the last expansion when everything stands as it did there; the item to go on with.
@@ -27,15 +27,15 @@ impl Expander<'_> {
         let resume = before.memo.resume.as_ref()?;
         let at = resume
             .checkpoints
-            .binary_search_by_key(&item, |checkpoint| checkpoint.item)
-            .ok()?;
+            .partition_point(|checkpoint| checkpoint.item < item);
         let (from, then, end) = (
             resume.checkpoints.get(resumed.from)?,
             resume.checkpoints.get(at)?,
             resume.checkpoints.last()?,
         );
         let now = self.checkpoint(item, siblings)?;
-        let is_alike = then.item < end.item
+        let is_alike = then.item == item
+            && then.item < end.item
             && now.numbers == then.numbers
             && (end.state.attrs.is_same(&then.state.attrs)
                 || now.state.attrs.is_same(&then.state.attrs))
@@ -46,12 +46,10 @@ impl Expander<'_> {
         if !is_alike {
             return None;
         }
-        let checkpoints = resume.checkpoints.get(at..)?;
         let steps = then.lengths.steps..end.lengths.steps;
-        let steps = before.memo.steps.get(steps)?;
         self.add_between(before.expansion, resume, &now, (then, end), siblings);
-        self.add_calls(steps, &now, then);
-        self.add_checkpoints(&now, checkpoints);
+        self.add_calls((&before.memo.steps, steps), &now, then);
+        self.add_checkpoints(&now, (then, at), &resume.checkpoints);
         siblings.eval_comments = end.state.eval_comments;
         self.steps.resumed = None;
         self.steps.left_out += end.item - item;
@@ -318,40 +316,63 @@ impl Expander<'_> {
     }
 
     /// The macro calls between two checkpoints.
-    fn add_calls(&mut self, steps: &[StepResult], now: &Checkpoint, then: &Checkpoint) {
+    fn add_calls(
+        &mut self,
+        (all, steps): (&SharedVec<StepResult>, Range<usize>),
+        now: &Checkpoint,
+        then: &Checkpoint,
+    ) {
+        let (own, old) = (now.lengths.evaluations, then.lengths.evaluations);
         let first = self.steps.done.len();
         self.steps.taken_over += steps.len();
-        let moved = steps.iter().map(|kept| StepResult {
-            evaluations: kept.evaluations + now.lengths.evaluations - then.lengths.evaluations,
-            ..kept.clone()
-        });
-        self.steps.done.extend(moved);
+        if own == old {
+            self.steps.done.extend_from(all, steps);
+        } else {
+            for kept in all.range(steps) {
+                self.steps.done.push(StepResult {
+                    evaluations: kept.evaluations + own - old,
+                    ..kept.clone()
+                });
+            }
+        }
         self.steps.rest.steps = first..self.steps.done.len();
     }
 
-    /// The checkpoints from the one where everything stood alike to the last one.
-    fn add_checkpoints(&mut self, now: &Checkpoint, checkpoints: &[Checkpoint]) {
-        let Some(then) = checkpoints.first() else {
-            return;
-        };
+    /// The checkpoints behind the one where everything stood alike, which has this place among all.
+    fn add_checkpoints(
+        &mut self,
+        now: &Checkpoint,
+        (then, at): (&Checkpoint, usize),
+        all: &SharedVec<Checkpoint>,
+    ) {
         let has_undefined = !self.names.undefined.is_empty();
-        if (self.steps.checkpoints.last()).is_none_or(|last| last.item < now.item) {
+        let own = &mut self.steps.checkpoints;
+        if own.last().is_none_or(|last| last.item < now.item) {
             self.result.complete = true;
-            self.steps.checkpoints.push(now.clone());
+            own.push(now.clone());
         }
-        let first = self.steps.checkpoints.len();
-        for checkpoint in checkpoints.iter().skip(1) {
-            let mut moved = checkpoint.clone();
-            moved.lengths = now.lengths.and_between(&then.lengths, &checkpoint.lengths);
-            moved.state.gaps.losses =
-                now.state.gaps.losses + checkpoint.state.gaps.losses - then.state.gaps.losses;
-            moved.touched = now.touched + checkpoint.touched - then.touched;
-            moved.has_undefined |= has_undefined;
-            if checkpoint.state.attrs.is_same(&then.state.attrs) {
-                moved.state.attrs = now.state.attrs.clone();
+        let first = own.len();
+        let is_unmoved = now.lengths == then.lengths
+            && now.state.gaps.losses == then.state.gaps.losses
+            && now.touched == then.touched
+            && now.state.attrs.is_same(&then.state.attrs)
+            && !has_undefined;
+        if is_unmoved {
+            own.extend_from(all, at + 1..all.len());
+        } else {
+            for checkpoint in all.range(at + 1..all.len()) {
+                let mut moved = checkpoint.clone();
+                moved.lengths = now.lengths.and_between(&then.lengths, &checkpoint.lengths);
+                moved.state.gaps.losses =
+                    now.state.gaps.losses + checkpoint.state.gaps.losses - then.state.gaps.losses;
+                moved.touched = now.touched + checkpoint.touched - then.touched;
+                moved.has_undefined |= has_undefined;
+                if checkpoint.state.attrs.is_same(&then.state.attrs) {
+                    moved.state.attrs = now.state.attrs.clone();
+                }
+                own.push(moved);
             }
-            self.steps.checkpoints.push(moved);
         }
-        self.steps.rest.checkpoints = first..self.steps.checkpoints.len();
+        self.steps.rest.checkpoints = first..own.len();
     }
 }

@@ -1,5 +1,4 @@
 //! Taking over the steps of the last expansion that still hold.
-use std::sync::Arc;
 
 use super::expander::Expander;
 use super::expansion::Expansion;
@@ -31,16 +30,17 @@ impl Expander<'_> {
         let Some(kept) = before.step((tag.src, tag.node.id())) else {
             return false;
         };
-        let holds = self.has_room(&kept.step)
-            && self.stands_alike(&kept.step)
-            && self.reads_alike(before.expansion, &kept.step.reads)
-            && self.refers_alike(before.expansion, &kept.step)
-            && (!kept.step.moves_marker || self.takes_marker(has_next, out));
+        let step = kept.step.memo();
+        let holds = self.has_room(step)
+            && self.stands_alike(step)
+            && self.reads_alike(before.expansion, &step.reads)
+            && self.refers_alike(before.expansion, step)
+            && (!step.moves_marker || self.takes_marker(has_next, out));
         if holds {
             self.steps.taken_over += 1;
             let evaluations = self.result.index.evaluations.len();
             self.add_lists(before.expansion, kept);
-            self.add_effects(&kept.step);
+            self.add_effects(step);
             let at = self.tag_origin(tag, cx);
             let body = self.container(at);
             let made = self.result.tree.len();
@@ -49,14 +49,14 @@ impl Expander<'_> {
                 .graft(&before.expansion.tree, kept.content, body);
             let first = self.result.tree.first_child(body);
             // the container is one of the nodes that the step made
-            self.steps.nodes_left_out += kept.step.nodes - 1 - (self.result.tree.len() - made);
-            if kept.step.moves_marker {
+            self.steps.nodes_left_out += step.nodes - 1 - (self.result.tree.len() - made);
+            if step.moves_marker {
                 self.result.tree.detach(self.marker);
             }
             self.place_body(body, has_next, out, cx);
             if let Some(first) = first {
                 self.steps.done.push(StepResult {
-                    step: Arc::clone(&kept.step),
+                    step: kept.step.clone(),
                     content: (first, first),
                     evaluations,
                 });
@@ -192,7 +192,7 @@ impl Expander<'_> {
     }
 
     fn add_lists(&mut self, before: &Expansion, kept: &StepResult) {
-        let step = &kept.step;
+        let step = kept.step.memo();
         let result = &mut self.result;
         let frames = result.frames.list_mut();
         frames.extend_from(before.frames.list(), step.frames.clone());

@@ -56,14 +56,14 @@ impl<'w> Expander<'w> {
         let from = resume.checkpoints.iter().rposition(is_usable)?;
         let checkpoint = resume.checkpoints.get(from)?;
         let root = before.expansion.tree.root()?;
-        let checkpoints = resume.checkpoints.get(..=from)?;
-        let steps = before.memo.steps.get(..checkpoint.lengths.steps)?;
         self.restore(before.expansion, resume, checkpoint, root);
-        self.steps.checkpoints = checkpoints.to_vec();
+        let checkpoints = &mut self.steps.checkpoints;
+        checkpoints.extend_from(&resume.checkpoints, 0..from + 1);
         self.steps.taken_over = checkpoint.lengths.steps;
         self.steps.left_out = checkpoint.item;
         self.steps.rest.front = (from + 1, checkpoint.lengths.steps);
-        self.steps.done = steps.to_vec();
+        let steps = 0..checkpoint.lengths.steps;
+        self.steps.done.extend_from(&before.memo.steps, steps);
         self.steps.resumed = Some(Resumption {
             from,
             changed,

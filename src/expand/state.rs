@@ -16,7 +16,7 @@ use super::scope::PropertyScope;
 use super::split_text::SplitText;
 use base::clock::Instant;
 use base::limits::{self, EVAL_DEPTH};
-use base::{FastMap, FastSet};
+use base::{FastMap, FastSet, SharedVec};
 use expr::{Budget, ScopeId};
 
 /// A file being processed: what relative names are relative to.
@@ -106,7 +106,7 @@ pub(super) struct Steps<'w> {
     /// Whether steps are kept for the next expansion.
     pub keeps: bool,
     /// The steps so far.
-    pub done: Vec<StepResult>,
+    pub done: SharedVec<StepResult>,
     /// What the step that is evaluated now reads.
     pub recorder: Option<Recorder>,
     /// How many steps were taken over.
@@ -114,7 +114,7 @@ pub(super) struct Steps<'w> {
     /// How many nodes were not made since steps were taken over.
     pub nodes_left_out: usize,
     /// Places between the items of the root.
-    pub checkpoints: Vec<Checkpoint>,
+    pub checkpoints: SharedVec<Checkpoint>,
     /// What changed of what was there.
     pub journal: Journal,
     /// The last expansion, where this one goes on from it.
@@ -135,11 +135,11 @@ impl<'w> Steps<'w> {
         Self {
             before,
             keeps: request.keep && request.forced.is_empty(),
-            done: Vec::new(),
+            done: SharedVec::new(),
             recorder: None,
             taken_over: 0,
             nodes_left_out: 0,
-            checkpoints: Vec::new(),
+            checkpoints: SharedVec::new(),
             journal: Journal::default(),
             resumed: None,
             left_out: 0,

@@ -203,6 +203,22 @@ impl XTree {
         None
     }
 
+    /// The numbers of nodes below the root element that are the very same in another finished document: whole children of it, in
+    /// order.
+    pub fn same_in(&self, other: &Self) -> Vec<Range<XId>> {
+        self.parts.same_in(&other.parts)
+    }
+
+    /// Whether a child of an element may be text. Of the root element of a finished document it is known without a look at each.
+    pub fn may_have_text(&self, id: XId) -> bool {
+        self.parts.is_empty() || self.parent(id) != Some(XId::DOCUMENT) || self.parts.has_text()
+    }
+
+    /// The child of an element with a number, if it is one.
+    pub fn child_at(&self, id: XId, parent: XId) -> Option<XId> {
+        (id.index() < self.len() && self.parent(id) == Some(parent)).then_some(id)
+    }
+
     /// The root element.
     pub fn root(&self) -> Option<XId> {
         self.elements(XId::DOCUMENT).next()

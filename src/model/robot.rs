@@ -9,7 +9,7 @@ use super::kinematics::Kinematics;
 use super::link::{Link, Material};
 use super::naming::{self, Naming};
 use super::shared_list::SharedList;
-use expand::{Expansion, XId, XTree};
+use expand::{Expansion, XId, XKind, XTree};
 
 /// What an expanded document says about a robot; everything in document order.
 #[derive(Clone, Debug)]
@@ -61,7 +61,38 @@ impl Robot {
         if let Some(old) = old.filter(|old| naming::are_same(&robot, old)) {
             robot.naming = Arc::clone(&old.naming);
         }
+        #[cfg(debug_assertions)]
+        robot.verify(&Self::below(tree, element));
         Some(robot)
+    }
+
+    /// In builds for tests: what is shared is what is read again.
+    #[cfg(debug_assertions)]
+    fn verify(&self, fresh: &Self) {
+        let parts = |robot: &Self| {
+            let links: Vec<_> = robot
+                .links
+                .iter()
+                .map(|one| (one.element, one.name.clone()))
+                .collect();
+            let joints: Vec<_> = robot
+                .joints
+                .iter()
+                .map(|one| (one.element, one.name.clone()))
+                .collect();
+            let blocks: Vec<XId> = robot.gazebo.iter().map(|one| one.element).collect();
+            let others = (
+                robot.materials.len(),
+                robot.controls.len(),
+                robot.transmissions.len(),
+            );
+            format!("{links:?} {joints:?} {blocks:?} {others:?}")
+        };
+        assert_eq!(
+            parts(self),
+            parts(fresh),
+            "a robot of an incremental expansion"
+        );
     }
 
     /// The parts of a robot among the children of `element`.
@@ -69,7 +100,7 @@ impl Robot {
         Self::read(tree, element, None)
     }
 
-    fn read(tree: &XTree, element: XId, mut kept: Option<Kept<'_>>) -> Self {
+    fn read(tree: &XTree, element: XId, kept: Option<Kept<'_>>) -> Self {
         let mut robot = Self {
             element,
             name: AttrValue::attr(tree, element, "name"),
@@ -81,15 +112,27 @@ impl Robot {
             transmissions: Vec::new(),
             naming: Arc::default(),
         };
-        for child in tree.elements(element) {
+        let mut next = tree.first_child(element);
+        while let Some(child) = next {
+            let left_out = kept
+                .as_ref()
+                .and_then(|kept| kept.add_to(&mut robot, child));
+            if let Some(end) = left_out {
+                next = tree.child_at(end, element);
+                continue;
+            }
+            next = tree.next_sibling(child);
+            if tree.get(child).kind != XKind::Element {
+                continue;
+            }
             match tree.get(child).text.as_str() {
                 "link" => {
-                    let same = kept.as_mut().and_then(|kept| kept.link(child));
+                    let same = kept.as_ref().and_then(|kept| kept.link(child));
                     let link = same.unwrap_or_else(|| Arc::new(Link::of(tree, child)));
                     robot.links.push(link);
                 }
                 "joint" => {
-                    let same = kept.as_mut().and_then(|kept| kept.joint(child));
+                    let same = kept.as_ref().and_then(|kept| kept.joint(child));
                     let joint = same.unwrap_or_else(|| Arc::new(Joint::of(tree, child)));
                     robot.joints.push(joint);
                 }
@@ -100,6 +143,8 @@ impl Robot {
                 _ => {}
             }
         }
+        robot.links.finish();
+        robot.joints.finish();
         robot
     }
 

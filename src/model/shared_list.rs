@@ -1,14 +1,17 @@
 //! A list whose elements the model of the next expansion may share.
+use std::ops::Range;
 use std::sync::Arc;
+
+use base::{SharedVec, SharedVecIter};
 
 /// Elements in document order. They are shared: what an expansion took over from the one before is not read off it again.
 #[derive(Debug)]
-pub struct SharedList<T>(Vec<Arc<T>>);
+pub struct SharedList<T>(SharedVec<Arc<T>>);
 
 impl<T> SharedList<T> {
     /// Without elements.
     pub const fn new() -> Self {
-        Self(Vec::new())
+        Self(SharedVec::new())
     }
 
     /// The elements in order.
@@ -37,18 +40,40 @@ impl<T> SharedList<T> {
 
     /// Whether two lists have equally many elements, and each is the very one of the other list or `alike`.
     pub(super) fn are_alike(one: &Self, other: &Self, alike: impl Fn(&T, &T) -> bool) -> bool {
-        let mut pairs = one.0.iter().zip(&other.0);
-        one.len() == other.len()
-            && pairs.all(|(one, other)| Arc::ptr_eq(one, other) || alike(one, other))
+        SharedVec::are_alike(&one.0, &other.0, |one, other| {
+            Arc::ptr_eq(one, other) || alike(one, other)
+        })
     }
 
     pub(super) fn push(&mut self, value: Arc<T>) {
         self.0.push(value);
     }
 
+    /// Add the elements of another list with keys in a range; keys rise.
+    pub(super) fn add_range<K: Ord>(
+        &mut self,
+        other: &Self,
+        range: &Range<K>,
+        key: impl Fn(&T) -> K,
+    ) {
+        let start = other.0.partition_point(|one| key(one) < range.start);
+        let end = other.0.partition_point(|one| key(one) < range.end);
+        self.0.extend_from(&other.0, start..end);
+    }
+
+    /// The list is complete: others may share it.
+    pub(super) fn finish(&mut self) {
+        self.0.finish();
+    }
+
     /// The element at an index, to be shared.
     pub(super) fn shared(&self, index: usize) -> Option<&Arc<T>> {
         self.0.get(index)
+    }
+
+    /// The index of the first element with a key that is not smaller; keys rise.
+    pub fn position<K: Ord>(&self, least: &K, key: impl Fn(&T) -> K) -> usize {
+        self.0.partition_point(|one| key(one) < *least)
     }
 }
 
@@ -68,14 +93,14 @@ impl<'a, T> IntoIterator for &'a SharedList<T> {
     type Item = &'a T;
     type IntoIter = SharedIter<'a, T>;
 
-    fn into_iter(self) -> SharedIter<'a, T> {
+    fn into_iter(self) -> Self::IntoIter {
         self.iter()
     }
 }
 
 /// The elements of a [`SharedList`] in order.
 #[derive(Debug)]
-pub struct SharedIter<'a, T>(std::slice::Iter<'a, Arc<T>>);
+pub struct SharedIter<'a, T>(SharedVecIter<'a, Arc<T>>);
 
 impl<T> Clone for SharedIter<'_, T> {
     fn clone(&self) -> Self {
@@ -94,6 +119,10 @@ impl<'a, T> Iterator for SharedIter<'a, T> {
     #[inline]
     fn size_hint(&self) -> (usize, Option<usize>) {
         self.0.size_hint()
+    }
+
+    fn nth(&mut self, skipped: usize) -> Option<&'a T> {
+        self.0.nth(skipped).map(Arc::as_ref)
     }
 }
 

@@ -172,8 +172,6 @@ pub struct DocumentCx<'a> {
     pub(super) used: OnceCell<Vec<bool>>,
     /// The macros that the files define, once a rule has asked.
     pub(super) macros: OnceCell<FastSet<&'a str>>,
-    /// The links that have the inertia of a motor added, once a rule has asked.
-    pub(super) rotors: OnceCell<Arc<FastSet<XId>>>,
     all: AllElements,
     pub(super) watch: Watch,
 }
@@ -216,7 +214,6 @@ impl<'a> DocumentCx<'a> {
             set: OnceCell::new(),
             used: OnceCell::new(),
             macros: OnceCell::new(),
-            rotors: OnceCell::new(),
             all: AllElements::default(),
             watch: Watch::default(),
         }
@@ -224,7 +221,7 @@ impl<'a> DocumentCx<'a> {
 
     /// The steps of the expansion, each with its first element and the node behind its last one. Macros that nothing calls have
     /// none.
-    pub(super) fn steps(&self) -> impl Iterator<Item = (StepKey, Range<XId>)> {
+    pub(super) fn steps(&self) -> impl Iterator<Item = (&StepKey, Range<XId>)> {
         let is_document = self.expansion.tree.root() == Some(self.element);
         let steps = is_document.then(|| self.expansion.steps());
         steps.into_iter().flatten()

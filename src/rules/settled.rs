@@ -3,7 +3,6 @@ use std::cell::OnceCell;
 use std::sync::Arc;
 
 use super::context::{DocumentCx, RootKind};
-use super::inertia::rotors;
 use super::rule::Rule;
 use super::sink::KeptFinding;
 use super::watch::Beyond;
@@ -19,7 +18,6 @@ use model::{SharedNames, Version};
 pub struct Settled {
     basis: Option<Basis>,
     names: Option<SharedNames>,
-    rotors: Arc<FastSet<XId>>,
     /// In document order.
     steps: Vec<(StepKey, SettledStep)>,
 }
@@ -39,9 +37,8 @@ pub(super) struct SettledStep {
 #[derive(Debug, Default)]
 pub(super) struct Said {
     pub findings: Vec<KeptFinding>,
-    /// The names of links and joints, and which links have the inertia of a motor.
+    /// The names of links and joints.
     names: bool,
-    rotors: bool,
     /// Other steps whose links and joints were looked at.
     steps: Vec<StepKey>,
 }
@@ -66,18 +63,12 @@ impl Settled {
                 version: Version::of(&cx.expansion.tree),
             }),
             names: cx.robot.map(|robot| robot.shared_names()),
-            rotors: Arc::default(),
             steps: Vec::new(),
         }
     }
 
-    pub(super) fn add(&mut self, step: StepKey, known: SettledStep) {
-        self.steps.push((step, known));
-    }
-
-    /// Note which links had the inertia of a motor, if a rule has asked.
-    pub(super) fn note_rotors(&mut self, rotors: Option<&Arc<FastSet<XId>>>) {
-        self.rotors = rotors.map(Arc::clone).unwrap_or_default();
+    pub(super) fn add(&mut self, step: &StepKey, known: SettledStep) {
+        self.steps.push((step.clone(), known));
     }
 
     /// Whether nothing is known.
@@ -92,7 +83,6 @@ pub(super) struct Known<'b> {
     /// What was known of this is of no use now.
     is_other: bool,
     has_same_names: bool,
-    has_same_rotors: OnceCell<bool>,
     /// The step that probably comes next, and all steps once one stands elsewhere.
     next: usize,
     places: OnceCell<FastMap<&'b StepKey, usize>>,
@@ -107,7 +97,6 @@ impl<'b> Known<'b> {
             before,
             is_other: before.basis != now.basis,
             has_same_names: before.names.is_some() && before.names == now.names,
-            has_same_rotors: OnceCell::new(),
             next: 0,
             places: OnceCell::new(),
         }
@@ -144,14 +133,8 @@ impl<'b> Known<'b> {
     }
 
     /// Whether what rules said still holds; `steps` are those that the document has now.
-    pub(super) fn holds(&self, said: &Said, cx: &DocumentCx<'_>, steps: &Steps<'_, '_>) -> bool {
-        let has_same_rotors = || {
-            let compare = || *self.before.rotors == **rotors(cx);
-            *self.has_same_rotors.get_or_init(compare)
-        };
-        (!said.names || self.has_same_names)
-            && (!said.rotors || has_same_rotors())
-            && said.steps.iter().all(|step| steps.has(step))
+    pub(super) fn holds(&self, said: &Said, steps: &Steps<'_, '_>) -> bool {
+        (!said.names || self.has_same_names) && said.steps.iter().all(|step| steps.has(step))
     }
 }
 
@@ -161,7 +144,7 @@ pub(super) struct Steps<'s, 'a> {
     list: OnceCell<Vec<(XId, XId, StepKey)>>,
     all: OnceCell<FastSet<StepKey>>,
     /// What is said of steps of which nothing was found, by what that rests on: nearly all.
-    quiet: FastMap<(bool, bool), Arc<Said>>,
+    quiet: FastMap<bool, Arc<Said>>,
 }
 
 impl<'s, 'a> Steps<'s, 'a> {
@@ -175,7 +158,7 @@ impl<'s, 'a> Steps<'s, 'a> {
     }
 
     fn has(&self, step: &StepKey) -> bool {
-        let all = || self.cx.steps().map(|(step, _)| step).collect();
+        let all = || self.cx.steps().map(|(step, _)| step.clone()).collect();
         self.all.get_or_init(all).contains(step)
     }
 
@@ -184,7 +167,7 @@ impl<'s, 'a> Steps<'s, 'a> {
         let list = self.list.get_or_init(|| {
             let steps = self.cx.steps();
             steps
-                .map(|(step, elements)| (elements.start, elements.end, step))
+                .map(|(step, elements)| (elements.start, elements.end, step.clone()))
                 .collect()
         });
         let behind = list.partition_point(|(start, ..)| *start <= element);
@@ -207,16 +190,15 @@ impl<'s, 'a> Steps<'s, 'a> {
                 steps.push(step.clone());
             }
         }
-        let (names, rotors) = (beyond.names, beyond.rotors);
+        let names = beyond.names;
         let is_quiet = findings.is_empty() && steps.is_empty();
         let said = Said {
             findings,
             names,
-            rotors,
             steps,
         };
         if is_quiet {
-            let known = self.quiet.entry((names, rotors));
+            let known = self.quiet.entry(names);
             return Some(Arc::clone(known.or_insert_with(|| Arc::new(said))));
         }
         Some(Arc::new(said))

@@ -26,6 +26,9 @@ pub struct Sink<'a> {
     counts: FastMap<&'static str, usize>,
     /// What is reported, while somebody wants to keep it; none when a part of it cannot be kept.
     kept: Option<Vec<KeptFinding>>,
+    /// The documents so far, and how many findings of each rule have a habit in each of them.
+    document: usize,
+    habits: FastMap<(&'static str, usize), usize>,
 }
 
 /// A finding at a text of a step. It says the same of that text in the next expansion that takes the step over.
@@ -37,6 +40,14 @@ pub(super) struct KeptFinding {
     origin: Origin,
     help: Option<EcoString>,
     group: Option<Group>,
+    habit: Option<Habit>,
+}
+
+/// What makes a finding an info where enough others of its rule in the document are like it: it is meant so.
+#[derive(Clone, Copy, Debug)]
+pub struct Habit {
+    /// From how many on.
+    pub least: usize,
 }
 
 /// A finding in the making. It is handed on at each step, and is large.
@@ -46,11 +57,14 @@ struct Draft {
     instance: Option<Origin>,
     /// The same text in further calls.
     others: Vec<Origin>,
+    habit: Option<Habit>,
 }
 
 /// What was reported at a place, by one or several expansions of its text.
 struct StoredFinding {
     finding: Finding,
+    /// Of the first of them: its habit, and the document.
+    habit: Option<(Habit, usize)>,
     calls: RelatedCalls,
     instances: Vec<Origin>,
     call_sites: Vec<CallSite>,
@@ -75,12 +89,15 @@ impl<'a> Sink<'a> {
             reported: 0,
             counts: FastMap::default(),
             kept: None,
+            document: 0,
+            habits: FastMap::default(),
         }
     }
 
     /// From now on, findings are in macros that nothing calls, or in the document.
     pub(super) fn set_probed(&mut self, probed: bool) {
         self.probed = probed;
+        self.document += 1;
     }
 
     /// From now on, findings are of this rule.
@@ -108,6 +125,7 @@ impl<'a> Sink<'a> {
         let span = self.span_of(kept.origin).unwrap_or_else(|| self.nowhere());
         self.reported += 1;
         let key = (kept.rule.code, span);
+        self.count(kept.rule, kept.habit);
         let known = self.by_place.get(&key);
         if let Some(stored) = known.and_then(|&place| self.stored.get_mut(place)) {
             let said = (kept.message.as_str(), kept.help.as_deref());
@@ -121,13 +139,20 @@ impl<'a> Sink<'a> {
             group: kept.group.clone(),
             ..Finding::new(kept.rule, span, String::new())
         };
-        self.store(key, finding, [kept.origin]);
+        self.store(key, (finding, kept.habit), [kept.origin]);
     }
 
     /// The findings, with their calls behind the other related places.
     pub(super) fn finish(self) -> Vec<Finding> {
         let finish = |stored: StoredFinding| {
             let mut finding = stored.finding;
+            let is_meant = stored.habit.is_some_and(|(habit, document)| {
+                let like_it = self.habits.get(&(finding.rule.code, document));
+                like_it.is_some_and(|count| *count >= habit.least)
+            });
+            if is_meant {
+                finding.severity = Severity::Info;
+            }
             finding.partial = depends_on_parameter(self.expansion, &stored.instances);
             finding.call_sites = stored.call_sites.into();
             stored.calls.list_in(&mut finding);
@@ -174,6 +199,7 @@ impl<'a> Sink<'a> {
             finding,
             instance: None,
             others: Vec::new(),
+            habit: None,
         });
         Reported { draft, sink: self }
     }
@@ -184,9 +210,11 @@ impl<'a> Sink<'a> {
             finding,
             instance,
             others,
+            habit,
         } = draft;
+        self.count(finding.rule, habit);
         if let Some(kept) = &mut self.kept {
-            match KeptFinding::of(&finding, instance, &others) {
+            match KeptFinding::of((&finding, habit), instance, &others) {
                 Some(one) => kept.push(one),
                 None => self.kept = None,
             }
@@ -201,21 +229,29 @@ impl<'a> Sink<'a> {
             }
             return;
         }
-        self.store(key, finding, instances);
+        self.store(key, (finding, habit), instances);
+    }
+
+    /// Count a finding with a habit.
+    fn count(&mut self, rule: &Rule, habit: Option<Habit>) {
+        if habit.is_some() {
+            *self.habits.entry((rule.code, self.document)).or_default() += 1;
+        }
     }
 
     /// Store what is reported first of a place.
     fn store(
         &mut self,
         key: (&'static str, Span),
-        finding: Finding,
+        (finding, habit): (Finding, Option<Habit>),
         instances: impl IntoIterator<Item = Origin>,
     ) {
         let count = self.counts.entry(key.0).or_default();
         *count += 1;
         if *count <= FINDINGS_OF_A_RULE {
             self.by_place.insert(key, self.stored.len());
-            let mut stored = StoredFinding::of(finding);
+            let habit = habit.map(|habit| (habit, self.document));
+            let mut stored = StoredFinding::of(finding, habit);
             for origin in instances {
                 stored.add(self.expansion, origin, None);
             }
@@ -246,7 +282,11 @@ impl<'a> Sink<'a> {
 
 impl KeptFinding {
     /// None of a finding with anything that another edit may move.
-    fn of(finding: &Finding, instance: Option<Origin>, others: &[Origin]) -> Option<Self> {
+    fn of(
+        (finding, habit): (&Finding, Option<Habit>),
+        instance: Option<Origin>,
+        others: &[Origin],
+    ) -> Option<Self> {
         let is_simple = others.is_empty()
             && finding.related.is_empty()
             && finding.fix.is_none()
@@ -260,13 +300,15 @@ impl KeptFinding {
             origin,
             help: finding.help.as_deref().map(EcoString::from),
             group: finding.group.clone(),
+            habit,
         })
     }
 }
 
 impl StoredFinding {
-    fn of(finding: Finding) -> Self {
+    fn of(finding: Finding, habit: Option<(Habit, usize)>) -> Self {
         Self {
+            habit,
             finding,
             calls: RelatedCalls::default(),
             instances: Vec::new(),
@@ -374,6 +416,13 @@ impl Reported<'_, '_> {
     #[must_use]
     pub fn severity(mut self, severity: Severity) -> Self {
         self.draft.finding.severity = severity;
+        self
+    }
+
+    /// As an info where so many findings of the rule in the document are of this kind.
+    #[must_use]
+    pub fn unless_habit(mut self, least: usize) -> Self {
+        self.draft.habit = Some(Habit { least });
         self
     }
 
@@ -512,12 +561,18 @@ impl RelatedCalls {
     /// Add those that are not among them yet.
     fn add<'f>(&mut self, expansion: &Expansion, frames: impl Iterator<Item = &'f Frame>) {
         for frame in frames {
-            let Some(span) = span_of(expansion, frame.call) else {
+            if expansion.place(frame.call).is_none() {
                 continue;
-            };
+            }
+            // a text has one place in an expansion, and a tag one name
+            let call = (frame.call.src, frame.call.range, frame.kind as u8);
             let mut hasher = rustc_hash::FxHasher::default();
-            (span, frame.kind as u8, &frame.name).hash(&mut hasher);
-            if self.seen.insert(hasher.finish()) && self.first.len() < MOST_CALLS {
+            call.hash(&mut hasher);
+            let span = || span_of(expansion, frame.call);
+            if self.seen.insert(hasher.finish())
+                && self.first.len() < MOST_CALLS
+                && let Some(span) = span()
+            {
                 self.first.push(related(frame, span));
             }
         }

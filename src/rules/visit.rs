@@ -1,7 +1,5 @@
 //! Rules that look at one element at a time. Of each child of the root, all of them are asked before the next child, and
 //! what is known of children from before an edit is not asked again: see [`Settled`].
-use std::iter::Peekable;
-
 use super::context::DocumentCx;
 use super::frames::{self, ElementPose};
 use super::rule::{Check, Rule};
@@ -11,8 +9,8 @@ use super::sink::Sink;
 use super::watch::Beyond;
 use super::xml::{self, CheckedElement, Numeric};
 use base::FastMap;
-use expand::XId;
-use model::{Joint, Link, SharedIter};
+use expand::{XId, XKind, XTree};
+use model::{Joint, Link, SharedList};
 
 /// A rule with its place among those that run, and what it does.
 type Asked<F> = Vec<(u16, &'static Rule, F)>;
@@ -76,15 +74,15 @@ pub(super) fn visit(
     let mut children = Children::of(cx);
     for (step, elements) in cx.steps() {
         children.run_until(Some(elements.start), |child| visit.child(&all, child));
-        let known_step = known.step(&step);
+        let known_step = known.step(step);
         let said = known_step.and_then(|known| known.said.as_ref());
         if let Some((known_step, said)) = known_step.zip(said)
-            && known.holds(said, cx, &steps)
+            && known.holds(said, &steps)
         {
             for finding in &said.findings {
                 visit.sink.report_again(finding);
             }
-            children.run_until(Some(elements.end), |_| {});
+            children.skip_until(elements.end);
             settled.add(step, known_step.clone());
             continue;
         }
@@ -96,7 +94,7 @@ pub(super) fn visit(
         children.run_until(Some(elements.end), |child| {
             visit.child(visitors.unwrap_or(&all), child);
         });
-        let said = steps.said(&step, &visit.beyond, visit.sink.take_kept());
+        let said = steps.said(step, &visit.beyond, visit.sink.take_kept());
         let open = match lists.get(&visit.open) {
             Some(list) => list.clone(),
             None => {
@@ -110,7 +108,6 @@ pub(super) fn visit(
         }
     }
     children.run_until(None, |child| visit.child(&all, child));
-    settled.note_rotors(cx.rotors.get());
     settled
 }
 
@@ -193,31 +190,75 @@ struct Child<'a> {
 }
 
 /// The children of the root that are left, in document order, which is that of the links and joints of the robot.
-struct Children<'a, I: Iterator<Item = XId>> {
-    ids: Peekable<I>,
-    links: Peekable<SharedIter<'a, Link>>,
-    joints: Peekable<SharedIter<'a, Joint>>,
+struct Children<'a> {
+    tree: &'a XTree,
+    root: XId,
+    next: Option<XId>,
+    links: Cursor<'a, Link>,
+    joints: Cursor<'a, Joint>,
 }
 
-impl<'a> Children<'a, std::iter::Empty<XId>> {
-    fn of(cx: &DocumentCx<'a>) -> Children<'a, impl Iterator<Item = XId>> {
-        Children {
-            ids: cx.expansion.tree.elements(cx.element).peekable(),
-            links: cx.links().iter().peekable(),
-            joints: cx.joints().iter().peekable(),
+impl<'a> Children<'a> {
+    fn of(cx: &DocumentCx<'a>) -> Self {
+        let tree = &cx.expansion.tree;
+        Self {
+            tree,
+            root: cx.element,
+            next: tree.first_child(cx.element),
+            links: Cursor::of(cx.links(), |link| link.element),
+            joints: Cursor::of(cx.joints(), |joint| joint.element),
+        }
+    }
+
+    /// Take all, or those in front of a node.
+    fn run_until(&mut self, end: Option<XId>, mut each: impl FnMut(Child<'a>)) {
+        while let Some(id) = self.next.filter(|&id| end.is_none_or(|end| id < end)) {
+            self.next = self.tree.next_sibling(id);
+            if self.tree.get(id).kind == XKind::Element {
+                each(Child {
+                    id,
+                    link: self.links.find(id),
+                    joint: self.joints.find(id),
+                });
+            }
+        }
+    }
+
+    /// Pass over those in front of a node, which is the next child of the root if it is one at all.
+    fn skip_until(&mut self, end: XId) {
+        match self.tree.child_at(end, self.root) {
+            Some(next) => self.next = Some(next),
+            None => self.run_until(Some(end), |_| {}),
         }
     }
 }
 
-impl<'a, I: Iterator<Item = XId>> Children<'a, I> {
-    /// Take all, or those in front of a node.
-    fn run_until(&mut self, end: Option<XId>, mut each: impl FnMut(Child<'a>)) {
-        while let Some(id) = self.ids.next_if(|&id| end.is_none_or(|end| id < end)) {
-            each(Child {
-                id,
-                link: self.links.next_if(|link| link.element == id),
-                joint: self.joints.next_if(|joint| joint.element == id),
-            });
+/// A place in a list in document order.
+struct Cursor<'a, T> {
+    list: &'a SharedList<T>,
+    element: fn(&T) -> XId,
+    next: usize,
+}
+
+impl<'a, T> Cursor<'a, T> {
+    fn of(list: &'a SharedList<T>, element: fn(&T) -> XId) -> Self {
+        Self {
+            list,
+            element,
+            next: 0,
         }
+    }
+
+    /// What is of an element that stands behind those that were asked about before.
+    fn find(&mut self, id: XId) -> Option<&'a T> {
+        let mut found = self.list.get(self.next)?;
+        if (self.element)(found) < id {
+            // elements in between were passed over
+            self.next = self.list.position(&id, self.element);
+            found = self.list.get(self.next)?;
+        }
+        let is_it = (self.element)(found) == id;
+        self.next += usize::from(is_it);
+        is_it.then_some(found)
     }
 }

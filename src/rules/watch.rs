@@ -8,7 +8,6 @@ use expand::XId;
 pub(super) struct Watch {
     anything: Cell<bool>,
     names: Cell<bool>,
-    rotors: Cell<bool>,
     elements: RefCell<Vec<XId>>,
 }
 
@@ -19,8 +18,6 @@ pub(super) struct Beyond {
     pub anything: bool,
     /// The names of links and joints and the ends of joints.
     pub names: bool,
-    /// Which links have the inertia of a motor.
-    pub rotors: bool,
     /// Links and joints.
     pub elements: Vec<XId>,
 }
@@ -30,7 +27,6 @@ impl Watch {
     pub(super) fn start(&self) {
         self.anything.set(false);
         self.names.set(false);
-        self.rotors.set(false);
         self.elements.borrow_mut().clear();
     }
 
@@ -44,11 +40,6 @@ impl Watch {
         self.names.set(true);
     }
 
-    /// It is looked which links have the inertia of a motor.
-    pub(super) fn note_rotors(&self) {
-        self.rotors.set(true);
-    }
-
     /// A link or joint is looked at.
     pub(super) fn note_element(&self, element: XId) {
         self.elements.borrow_mut().push(element);
@@ -56,14 +47,13 @@ impl Watch {
 
     /// Whether anything was looked at.
     pub(super) fn is_beyond(&self) -> bool {
-        self.anything.get() || self.names.get() || self.rotors.get()
+        self.anything.get() || self.names.get()
     }
 
     /// Add what was looked at.
     pub(super) fn add_to(&self, beyond: &mut Beyond) {
         beyond.anything |= self.anything.get();
         beyond.names |= self.names.get();
-        beyond.rotors |= self.rotors.get();
         beyond.elements.extend_from_slice(&self.elements.borrow());
     }
 }

@@ -1,12 +1,13 @@
 //! Principal moments that no body has.
+use nalgebra::Vector3;
+
 use super::super::context::DocumentCx;
 use super::super::grouping::Group;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::joined::{is_built_into_world, is_in_world, is_small_part};
 use super::moments::{Impossible, inertia_tag, judged};
-use super::rotors::rotors;
-use model::{Inertial, Link};
+use model::{Inertial, JointType, Link};
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "INR005",
@@ -19,6 +20,9 @@ pub(in super::super) static RULE: Rule = Rule {
     docs: page("inertia-triangle-inequality"),
     check: Check::Link(check),
 };
+
+/// From this many links on, a moment that is too large about the own joint is that of the motor, added on purpose.
+const ROTORS: usize = 3;
 
 /// Less than this part short may be rounding.
 const COARSE: f64 = 2e-2;
@@ -34,10 +38,8 @@ fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
     let Some(impossible) = &judged.impossible else {
         return;
     };
-    let is_rotor = rotors(cx).contains(&link.element);
     // what never moves here may be a part that moves elsewhere
-    let is_idle = is_rotor || is_built_into_world(cx, link);
-    let severity = if is_idle || !is_error(cx, link, inertial) {
+    let severity = if is_built_into_world(cx, link) || !is_error(cx, link, inertial) {
         Severity::Info
     } else if is_in_world(cx, link) {
         Severity::Warning
@@ -46,11 +48,34 @@ fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
     };
     // there may be one for each of thousands of links, at each edit
     let message = ["inertia of link `", link.shown(), "` ", &impossible.said].concat();
-    out.report(inertia_tag(cx.expansion, inertial), message)
+    let report = out
+        .report(inertia_tag(cx.expansion, inertial), message)
         .group(Group::Value(impossible.numbers.clone()))
         .severity(severity)
-        .help("compute the inertia from mass and shape")
-        .done();
+        .help("compute the inertia from mass and shape");
+    if has_rotor(cx, link, impossible) {
+        report.unless_habit(ROTORS).done();
+    } else {
+        report.done();
+    }
+}
+
+/// Whether the largest moment of a link is that of a motor about its own joint.
+fn has_rotor(cx: &DocumentCx<'_>, link: &Link, impossible: &Impossible) -> bool {
+    const TOLERANCE: f64 = 0.02;
+    let Some(joint) = cx.joint_above(link.shown()) else {
+        return false;
+    };
+    let axis = joint
+        .axis()
+        .map(Vector3::from)
+        .and_then(|axis| axis.try_normalize(f64::EPSILON));
+    let axis = axis.filter(|_| !joint.is(&[JointType::Fixed]));
+    let (Some(axis), Some(tensor)) = (axis, impossible.tensor) else {
+        return false;
+    };
+    let most = impossible.moments[2];
+    (tensor * axis - most * axis).norm() <= TOLERANCE * most
 }
 
 /// Whether the inertia of a link is impossible, and not by rounding alone.

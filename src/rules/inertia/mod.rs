@@ -12,7 +12,6 @@ mod moments;
 pub(super) mod negative_mass;
 mod placeholder_inertia;
 mod root_link_inertia;
-mod rotors;
 mod tiny_inertia;
 mod zero_inertia;
 pub(super) mod zero_mass;
@@ -21,7 +20,6 @@ use super::rule::Rule;
 
 pub(super) use moments::principal;
 pub(super) use root_link_inertia::{ADD_ROOT, massless_root};
-pub(super) use rotors::rotors;
 
 /// All rules of this category, by code.
 pub(super) static RULES: &[&Rule] = &[

@@ -37,7 +37,7 @@ fn check(
     out: &mut Sink<'_>,
 ) {
     let tree = &cx.expansion.tree;
-    if known.is_none_or(|spec| !PLACES.contains(&spec.name)) {
+    if known.is_none_or(|spec| !PLACES.contains(&spec.name)) || !tree.may_have_text(id) {
         return;
     }
     for text in tree.children(id) {
