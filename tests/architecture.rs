@@ -312,7 +312,7 @@ fn files_are_short() {
 /// Who reads a file should not have to read all others first: files that use each other in a circle are few.
 #[test]
 fn files_use_each_other_in_one_direction() {
-    for (crate_name, most) in [("rules", 17), ("expand", 5), ("analysis", 5), ("server", 3)] {
+    for (crate_name, most) in [("rules", 16), ("expand", 5), ("analysis", 5), ("server", 3)] {
         let circles = imports::circles(crate_name);
         let count: usize = circles.iter().map(|circle| circle.len()).sum();
         assert!(

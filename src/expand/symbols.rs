@@ -3,7 +3,7 @@ use ecow::EcoString;
 
 use super::origin::{Origin, SrcId};
 use super::part::part;
-use super::places::Places;
+use super::places::{Places, hash_of};
 use base::{FastSet, Id, SharedIdVec, SharedVec, TextRange};
 
 /// A definition: index of [`Symbols::definitions`].
@@ -99,8 +99,8 @@ pub struct Symbols {
     pub uses: SharedVec<Use>,
     /// Uses by properties that nothing reads.
     pub quiet_uses: Vec<Use>,
-    known: Places<(SourceRange, EcoString)>,
-    used: Places<Use>,
+    known: Places,
+    used: Places,
     quietly_used: FastSet<Use>,
     /// Definitions that were known and turned out to be conditional, in order.
     pub(super) made_conditional: Vec<DefinitionId>,
@@ -206,9 +206,12 @@ impl Symbols {
     /// They are complete: the next expansion may share them.
     pub(super) fn finish(&mut self) {
         self.quietly_used = FastSet::default();
-        let key = |definition: &Definition| (definition.place, definition.name.clone());
-        self.known.finish(self.definitions.iter().map(key));
-        self.used.finish(self.uses.iter().copied());
+        let definitions = self.definitions.list();
+        self.known
+            .finish(definitions.len(), |place| hash_at(definitions, place));
+        let uses = &self.uses;
+        let hash = |place: usize| uses.get(place).map_or(0, hash_of);
+        self.used.finish(uses.len(), hash);
         self.definitions.list_mut().finish();
         self.uses.finish();
     }
@@ -229,14 +232,14 @@ impl Symbols {
                 known.place == definition.place && known.name == definition.name
             })
         };
-        let key = (definition.place, definition.name.clone());
-        self.known.find(&key, is_at).map(DefinitionId::from_index)
+        let found = self.known.find(hash_of_definition(definition), is_at);
+        found.map(DefinitionId::from_index)
     }
 
     /// Where a use stands that is not a quiet one.
     fn place_of(&self, used: &Use) -> Option<usize> {
         self.used
-            .find(used, |place| self.uses.get(place) == Some(used))
+            .find(hash_of(used), |place| self.uses.get(place) == Some(used))
     }
 
     pub(super) fn add(&mut self, definition: Definition) -> DefinitionId {
@@ -246,9 +249,11 @@ impl Symbols {
             log.definitions.push((definition.clone(), id));
         }
         if id == next {
-            let key = (definition.place, definition.name.clone());
-            self.known.add(key, next.index());
+            let hash = hash_of_definition(&definition);
             self.definitions.push(definition);
+            let all = self.definitions.list();
+            self.known
+                .add(hash, next.index(), |place| hash_at(all, place));
         } else if definition.conditional
             && let Some(known) = self.definitions.get_mut(id)
             && !known.conditional
@@ -272,8 +277,20 @@ impl Symbols {
             self.quietly_used.insert(used);
             self.quiet_uses.push(used);
         } else {
-            self.used.add(used, self.uses.len());
+            let place = self.uses.len();
             self.uses.push(used);
+            let uses = &self.uses;
+            let hash = |place: usize| uses.get(place).map_or(0, hash_of);
+            self.used.add(hash_of(used), place, hash);
         }
     }
+}
+
+/// The hash of what tells a definition from others: its text and its name.
+fn hash_of_definition(definition: &Definition) -> u64 {
+    hash_of((definition.place, definition.name.as_str()))
+}
+
+fn hash_at(definitions: &SharedVec<Definition>, place: usize) -> u64 {
+    definitions.get(place).map_or(0, hash_of_definition)
 }

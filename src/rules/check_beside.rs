@@ -1,9 +1,9 @@
 //! Running the rules about files beside robots.
 use super::beside::BesideCx;
+use super::chosen::Chosen;
 use super::finding::Finding;
 use super::registry::all;
 use super::rule::Check;
-use super::run::Chosen;
 use super::sink::Sink;
 
 /// What the rules say about a file beside robots.

@@ -7,6 +7,7 @@ mod arms;
 mod beside;
 mod catalogue;
 mod check_beside;
+mod chosen;
 pub mod consumers;
 mod context;
 mod control;
@@ -18,6 +19,7 @@ mod geometry;
 mod grouping;
 mod inertia;
 mod joint;
+mod kept_finding;
 mod linter;
 mod moveit;
 pub mod named;
@@ -49,6 +51,7 @@ mod xml;
 pub use beside::{BesideContent, BesideCx, PairedRobot};
 pub use catalogue::{catalogue, catalogue_of};
 pub use check_beside::check_beside;
+pub use chosen::Chosen;
 pub use context::{DocumentCx, FileCx, RobotCx, RootKind, RuleEnv, is_plain_urdf, is_whole};
 pub use finding::{CallSite, Edit, Finding, Fix, Help, Related};
 pub use geometry::{FileTarget, factors, link_bounds, resolve_file};
@@ -70,7 +73,7 @@ pub use problems::{rejections, rule_of};
 pub use registry::{all, by_code, find, nearest_selector, unknown_selector};
 pub use rule::{Activation, Category, Check, Rule, Safety, Severity};
 pub use run::{
-    Chosen, check_expansion, check_files, check_recovered, has_ignored_tags, losses, needs_names,
+    check_expansion, check_files, check_recovered, has_ignored_tags, losses, needs_names,
     needs_whole, unknown_names,
 };
 pub use selection::{RuleSelection, SelectionOptions};

@@ -4,7 +4,8 @@ use std::cell::OnceCell;
 
 use ecow::EcoString;
 
-use super::consumers::{Tally, tally};
+use super::chosen::Chosen;
+use super::consumers::tally;
 use super::context::{
     DocumentCx, FileCx, RobotCx, RootKind, RuleEnv, elements, is_whole, named_macros,
     other_elements,
@@ -58,17 +59,6 @@ pub fn losses(expansion: &Expansion) -> Vec<Span> {
         .filter(loses)
         .filter_map(|problem| span(expansion, problem.place))
         .collect()
-}
-
-/// Which rules run, and until when.
-#[derive(Clone, Copy)]
-pub struct Chosen<'a> {
-    /// The rules that run, in this order.
-    pub rules: &'a [&'static Rule],
-    /// Set to stop early; findings are missing then.
-    pub cancel: &'a CancelFlag,
-    /// Where to put what programs reject or change that nobody named, when somebody wants to know.
-    pub tally: Option<&'a OnceCell<Tally>>,
 }
 
 /// What expansion of a file (what it is taken for, whether the user named it) reported, and what rules say about
@@ -269,19 +259,6 @@ pub fn check_files(expansion: &Expansion, world: RuleEnv<'_>, chosen: Chosen<'_>
         });
     }
     sink.finish()
-}
-
-impl Chosen<'_> {
-    pub(super) fn run(self, sink: &mut Sink<'_>, mut apply: impl FnMut(&Rule, &mut Sink<'_>)) {
-        for &rule in self
-            .rules
-            .iter()
-            .take_while(|_| !self.cancel.is_cancelled())
-        {
-            sink.set_rule(rule);
-            apply(rule, sink);
-        }
-    }
 }
 
 /// Whether tags without their prefix would give the robot more links and joints: what is missing has its cause there.

@@ -3,8 +3,8 @@ use std::cell::OnceCell;
 use std::sync::Arc;
 
 use super::context::{DocumentCx, RootKind};
+use super::kept_finding::KeptFinding;
 use super::rule::Rule;
-use super::sink::KeptFinding;
 use super::watch::Beyond;
 use base::{FastMap, FastSet};
 use expand::{StepKey, XId};

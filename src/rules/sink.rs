@@ -3,6 +3,7 @@ use std::hash::{Hash, Hasher};
 
 use super::finding::{CallSite, Edit, Finding, Fix, Help, Related};
 use super::grouping::Group;
+use super::kept_finding::{Habit, KeptFinding, Wording};
 use super::rule::{Rule, Safety, Severity};
 use base::limits::FINDINGS_OF_A_RULE;
 use base::{FastMap, FastSet, Span, TextRange};
@@ -26,28 +27,11 @@ pub struct Sink<'a> {
     counts: FastMap<&'static str, usize>,
     /// What is reported, while somebody wants to keep it; none when a part of it cannot be kept.
     kept: Option<Vec<KeptFinding>>,
+    /// The help of the last finding.
+    help: Option<EcoString>,
     /// The documents so far, and how many findings of each rule have a habit in each of them.
     document: usize,
     habits: FastMap<(&'static str, usize), usize>,
-}
-
-/// A finding at a text of a step. It says the same of that text in the next expansion that takes the step over.
-#[derive(Clone, Debug)]
-pub(super) struct KeptFinding {
-    rule: &'static Rule,
-    severity: Severity,
-    message: EcoString,
-    origin: Origin,
-    help: Option<EcoString>,
-    group: Option<Group>,
-    habit: Option<Habit>,
-}
-
-/// What makes a finding an info where enough others of its rule in the document are like it: it is meant so.
-#[derive(Clone, Copy, Debug)]
-pub struct Habit {
-    /// From how many on.
-    pub least: usize,
 }
 
 /// A finding in the making. It is handed on at each step, and is large.
@@ -89,6 +73,7 @@ impl<'a> Sink<'a> {
             reported: 0,
             counts: FastMap::default(),
             kept: None,
+            help: None,
             document: 0,
             habits: FastMap::default(),
         }
@@ -128,14 +113,13 @@ impl<'a> Sink<'a> {
         self.count(kept.rule, kept.habit);
         let known = self.by_place.get(&key);
         if let Some(stored) = known.and_then(|&place| self.stored.get_mut(place)) {
-            let said = (kept.message.as_str(), kept.help.as_deref());
-            stored.add(self.expansion, kept.origin, Some(said));
+            stored.add(self.expansion, kept.origin, Some(&kept.said));
             return;
         }
         let finding = Finding {
             severity: kept.severity,
-            message: kept.message.to_string(),
-            help: kept.help.as_ref().map(EcoString::to_string),
+            message: kept.said.message.to_string(),
+            help: kept.said.help.as_ref().map(EcoString::to_string),
             group: kept.group.clone(),
             ..Finding::new(kept.rule, span, String::new())
         };
@@ -213,23 +197,36 @@ impl<'a> Sink<'a> {
             habit,
         } = draft;
         self.count(finding.rule, habit);
-        if let Some(kept) = &mut self.kept {
-            match KeptFinding::of((&finding, habit), instance, &others) {
-                Some(one) => kept.push(one),
-                None => self.kept = None,
+        let key = (finding.rule.code, finding.span);
+        let known = self.by_place.get(&key).copied();
+        if known.is_some() || self.kept.is_some() {
+            let said = self.said(&finding);
+            if let Some(kept) = &mut self.kept {
+                match KeptFinding::of((&finding, habit), &said, instance, &others) {
+                    Some(one) => kept.push(one),
+                    None => self.kept = None,
+                }
+            }
+            if let Some(stored) = known.and_then(|place| self.stored.get_mut(place)) {
+                for origin in instance.into_iter().chain(others) {
+                    stored.add(self.expansion, origin, Some(&said));
+                }
+                return;
             }
         }
         let instances = instance.into_iter().chain(others);
-        let key = (finding.rule.code, finding.span);
-        let known = self.by_place.get(&key);
-        if let Some(stored) = known.and_then(|&place| self.stored.get_mut(place)) {
-            let said = (finding.message.as_str(), finding.help.as_deref());
-            for origin in instances {
-                stored.add(self.expansion, origin, Some(said));
-            }
-            return;
-        }
         self.store(key, (finding, habit), instances);
+    }
+
+    /// What a finding says. Most findings of a rule have the same help.
+    fn said(&mut self, finding: &Finding) -> Wording {
+        if self.help.as_deref() != finding.help.as_deref() {
+            self.help = finding.help.as_deref().map(EcoString::from);
+        }
+        Wording {
+            message: finding.message.as_str().into(),
+            help: self.help.clone(),
+        }
     }
 
     /// Count a finding with a habit.
@@ -280,31 +277,6 @@ impl<'a> Sink<'a> {
     }
 }
 
-impl KeptFinding {
-    /// None of a finding with anything that another edit may move.
-    fn of(
-        (finding, habit): (&Finding, Option<Habit>),
-        instance: Option<Origin>,
-        others: &[Origin],
-    ) -> Option<Self> {
-        let is_simple = others.is_empty()
-            && finding.related.is_empty()
-            && finding.fix.is_none()
-            && finding.similar.is_none()
-            && !finding.probed;
-        let origin = instance.filter(|_| is_simple)?;
-        Some(Self {
-            rule: finding.rule,
-            severity: finding.severity,
-            message: finding.message.as_str().into(),
-            origin,
-            help: finding.help.as_deref().map(EcoString::from),
-            group: finding.group.clone(),
-            habit,
-        })
-    }
-}
-
 impl StoredFinding {
     fn of(finding: Finding, habit: Option<(Habit, usize)>) -> Self {
         Self {
@@ -318,7 +290,7 @@ impl StoredFinding {
     }
 
     /// Add an instance of the text, of which something else may be said than of the first one.
-    fn add(&mut self, expansion: &Expansion, origin: Origin, said: Option<(&str, Option<&str>)>) {
+    fn add(&mut self, expansion: &Expansion, origin: Origin, said: Option<&Wording>) {
         self.instances.push(origin);
         self.calls.add(expansion, frames(expansion, origin));
         if self.call_sites.len() >= MOST_CALL_SITES {
@@ -330,22 +302,17 @@ impl StoredFinding {
         let Some((frame, call)) = call.filter(|&(_, call)| self.is_new(call)) else {
             return;
         };
-        let own = (self.finding.message.as_str(), self.finding.help.as_deref());
-        let (message, help) = said.unwrap_or(own);
-        // most say the same of what to do
-        let known = self.call_sites.last().and_then(|site| site.help.clone());
-        let is_known = help == known.as_deref();
-        let help = if is_known {
-            known
-        } else {
-            help.map(EcoString::from)
+        let own = || Wording {
+            message: self.finding.message.as_str().into(),
+            help: self.finding.help.as_deref().map(EcoString::from),
         };
+        let Wording { message, help } = said.cloned().unwrap_or_else(own);
         self.call_sites.push(CallSite {
             call,
             name: frame.name.clone(),
             argument: blamed_argument(expansion, origin)
                 .and_then(|argument| span_of(expansion, argument)),
-            message: message.into(),
+            message,
             help,
         });
     }

@@ -1,9 +1,9 @@
 //! Rules that look at one element at a time. Of each child of the root, all of them are asked before the next child, and
 //! what is known of children from before an edit is not asked again: see [`Settled`].
+use super::chosen::Chosen;
 use super::context::DocumentCx;
 use super::frames::{self, ElementPose};
 use super::rule::{Check, Rule};
-use super::run::Chosen;
 use super::settled::{Known, OpenRules, Settled, SettledStep, Steps};
 use super::sink::Sink;
 use super::watch::Beyond;
