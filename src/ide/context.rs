@@ -73,6 +73,15 @@ impl<'a> Cx<'a> {
             .collect()
     }
 
+    /// Tells where a source text begins, if it is one of the file.
+    pub fn base_of(&self) -> impl Fn(SrcId) -> Option<u32> + 'a {
+        let (first, sources) = self.own_sources().unwrap_or((0, &[]));
+        move |src| {
+            let source = sources.get(src.0.checked_sub(first)? as usize)?;
+            Some(source.base)
+        }
+    }
+
     /// The source texts of the file, with their numbers.
     fn sources(&self) -> impl Iterator<Item = SrcId> + 'a {
         let (first, sources) = self.own_sources().unwrap_or((0, &[]));

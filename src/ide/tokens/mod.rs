@@ -65,14 +65,21 @@ pub struct HighlightToken {
     pub modifiers: Modifiers,
 }
 
-/// The pieces of a file in order; none overlaps another. A piece may stretch over several lines.
-pub fn tokens(cx: &Cx<'_>) -> Vec<HighlightToken> {
+/// The pieces of a part of a file in order; none overlaps another. A piece may stretch over several lines.
+pub fn tokens(cx: &Cx<'_>, within: TextRange) -> Vec<HighlightToken> {
+    let parts = cx.source.document.parts();
+    let parts: Vec<_> = parts
+        .filter(|(base, item)| overlap(TextRange::new(*base, base + item.len()), within))
+        .collect();
+    let around = parts.iter().fold(within, |around, (base, item)| {
+        TextRange::new(around.start.min(*base), around.end.max(base + item.len()))
+    });
     let mut out = Collector {
         cx,
-        names: KnownNames::of(cx),
+        names: KnownNames::of(cx, around),
         found: Vec::new(),
     };
-    for (base, item) in cx.source.document.parts() {
+    for (base, item) in parts {
         let mut dead_end = 0;
         for node in item.all_nodes() {
             if node.range().start < dead_end {
@@ -99,14 +106,19 @@ pub fn tokens(cx: &Cx<'_>) -> Vec<HighlightToken> {
         if free {
             end = token.range.end;
         }
-        free
+        free && overlap(token.range, within)
     });
     found
 }
 
+/// Whether two ranges have a byte in common.
+fn overlap(one: TextRange, other: TextRange) -> bool {
+    one.start < other.end && other.start < one.end
+}
+
 struct Collector<'a> {
     cx: &'a Cx<'a>,
-    names: KnownNames,
+    names: KnownNames<'a>,
     found: Vec<HighlightToken>,
 }
 

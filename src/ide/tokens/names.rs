@@ -1,45 +1,46 @@
 //! What the names of a file stand for.
 
+use std::cell::OnceCell;
+
 use super::super::context::Cx;
-use super::{Modifiers, TokenKind};
+use super::{Modifiers, TokenKind, overlap};
 use base::{FastMap, FastSet, TextRange};
-use expand::SymbolKind;
+use expand::{SymbolKind, Symbols};
 use expr::{BuiltinKind as GlobalKind, global_symbols};
 use xml::Node;
 
 /// The names of a file that expansion came by, and those that all expressions know.
-pub(super) struct KnownNames {
+pub(super) struct KnownNames<'a> {
     /// By their place in the file.
     known: FastMap<TextRange, SymbolKind>,
     globals: FastMap<&'static str, (TokenKind, Modifiers)>,
     /// What stands for a name that expansion did not come by.
-    properties: FastSet<String>,
+    properties: OnceCell<FastSet<&'a str>>,
+    symbols: &'a Symbols,
 }
 
-impl KnownNames {
-    pub fn of(cx: &Cx<'_>) -> Self {
+impl<'a> KnownNames<'a> {
+    /// Those of a part of the file.
+    pub fn of(cx: &Cx<'a>, within: TextRange) -> Self {
         let symbols = &cx.expansion.index.symbols;
         let mut known = FastMap::default();
-        let bases = cx.bases();
+        let base_of = cx.base_of();
         let given = symbols.definitions.iter();
         let given = given.map(|given| (given.place, given.kind));
         let used = symbols
             .all_uses()
             .filter_map(|used| Some((used.place, symbols.get(used.definition)?.kind)));
         for (place, kind) in given.chain(used) {
-            if let Some(base) = bases.get(&place.src) {
-                known.insert(place.range.shift(*base), kind);
+            let place = base_of(place.src).map(|base| place.range.shift(base));
+            if let Some(place) = place.filter(|place| overlap(*place, within)) {
+                known.insert(place, kind);
             }
         }
-        let properties = symbols
-            .definitions
-            .iter()
-            .filter(|given| given.kind == SymbolKind::Property);
-        let properties = properties.map(|given| given.name.to_string()).collect();
         Self {
             known,
             globals: globals(),
-            properties,
+            properties: OnceCell::new(),
+            symbols,
         }
     }
 
@@ -68,13 +69,22 @@ impl KnownNames {
         if node.is_some_and(|node| is_parameter(node, name)) {
             return (TokenKind::Parameter, Modifiers::default());
         }
-        if self.properties.contains(name) {
+        if self.properties().contains(name) {
             return (TokenKind::Variable, Modifiers::default());
         }
         self.globals
             .get(name)
             .copied()
             .unwrap_or((TokenKind::Variable, Modifiers::default()))
+    }
+
+    /// The names of all properties.
+    fn properties(&self) -> &FastSet<&'a str> {
+        self.properties.get_or_init(|| {
+            let given = self.symbols.definitions.iter();
+            let properties = given.filter(|given| given.kind == SymbolKind::Property);
+            properties.map(|given| given.name.as_str()).collect()
+        })
     }
 
     /// What `module.name` is.

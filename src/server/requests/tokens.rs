@@ -94,8 +94,7 @@ pub fn tokens_range(
     let (_, source) = state.source(&params.text_document.uri)?;
     let range = convert::text_range(&source.document, params.range, state.encoding);
     let asked = asked(state, &start_of(params.text_document), cancel)?;
-    let mut tokens = ide::tokens(&asked.cx());
-    tokens.retain(|token| token.range.start < range.end && range.start < token.range.end);
+    let tokens = ide::tokens(&asked.cx(), range);
     let data = encoded(&asked.source.document.text(), &tokens, state.encoding);
     Ok(Some(SemanticTokensRangeResult::Tokens(SemanticTokens {
         result_id: None,
@@ -109,7 +108,8 @@ fn token_data(
     cancel: &CancelFlag,
 ) -> Result<(PathBuf, Vec<SemanticToken>), RequestFailure> {
     let asked = asked(state, &start_of(document), cancel)?;
-    let tokens = ide::tokens(&asked.cx());
+    let whole = TextRange::new(0, u32::MAX);
+    let tokens = ide::tokens(&asked.cx(), whole);
     let data = encoded(&asked.source.document.text(), &tokens, state.encoding);
     Ok((asked.source.path.to_path_buf(), data))
 }
