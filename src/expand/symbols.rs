@@ -3,7 +3,7 @@ use ecow::EcoString;
 
 use super::origin::{Origin, SrcId};
 use super::part::part;
-use super::places::{Places, hash_of};
+use super::places::{Places, ShortHash};
 use base::{FastSet, Id, SharedIdVec, SharedVec, TextRange};
 
 /// A definition: index of [`Symbols::definitions`].
@@ -206,12 +206,8 @@ impl Symbols {
     /// They are complete: the next expansion may share them.
     pub(super) fn finish(&mut self) {
         self.quietly_used = FastSet::default();
-        let definitions = self.definitions.list();
-        self.known
-            .finish(definitions.len(), |place| hash_at(definitions, place));
-        let uses = &self.uses;
-        let hash = |place: usize| uses.get(place).map_or(0, hash_of);
-        self.used.finish(uses.len(), hash);
+        self.known.finish(self.definitions.iter().map(hash_of));
+        self.used.finish(self.uses.iter().map(ShortHash::of));
         self.definitions.list_mut().finish();
         self.uses.finish();
     }
@@ -232,14 +228,15 @@ impl Symbols {
                 known.place == definition.place && known.name == definition.name
             })
         };
-        let found = self.known.find(hash_of_definition(definition), is_at);
+        let found = self.known.find(hash_of(definition), is_at);
         found.map(DefinitionId::from_index)
     }
 
     /// Where a use stands that is not a quiet one.
     fn place_of(&self, used: &Use) -> Option<usize> {
-        self.used
-            .find(hash_of(used), |place| self.uses.get(place) == Some(used))
+        self.used.find(ShortHash::of(used), |place| {
+            self.uses.get(place) == Some(used)
+        })
     }
 
     pub(super) fn add(&mut self, definition: Definition) -> DefinitionId {
@@ -249,11 +246,8 @@ impl Symbols {
             log.definitions.push((definition.clone(), id));
         }
         if id == next {
-            let hash = hash_of_definition(&definition);
+            self.known.add(hash_of(&definition), next.index());
             self.definitions.push(definition);
-            let all = self.definitions.list();
-            self.known
-                .add(hash, next.index(), |place| hash_at(all, place));
         } else if definition.conditional
             && let Some(known) = self.definitions.get_mut(id)
             && !known.conditional
@@ -277,20 +271,13 @@ impl Symbols {
             self.quietly_used.insert(used);
             self.quiet_uses.push(used);
         } else {
-            let place = self.uses.len();
+            self.used.add(ShortHash::of(used), self.uses.len());
             self.uses.push(used);
-            let uses = &self.uses;
-            let hash = |place: usize| uses.get(place).map_or(0, hash_of);
-            self.used.add(hash_of(used), place, hash);
         }
     }
 }
 
 /// The hash of what tells a definition from others: its text and its name.
-fn hash_of_definition(definition: &Definition) -> u64 {
-    hash_of((definition.place, definition.name.as_str()))
-}
-
-fn hash_at(definitions: &SharedVec<Definition>, place: usize) -> u64 {
-    definitions.get(place).map_or(0, hash_of_definition)
+fn hash_of(definition: &Definition) -> ShortHash {
+    ShortHash::of((definition.place, definition.name.as_str()))
 }
