@@ -12,8 +12,16 @@ pub struct MoveitController {
     pub name: SpannedName,
     /// Its joints.
     pub joints: Vec<SpannedName>,
+    /// The action that it takes: `FollowJointTrajectory`, or one for grippers.
+    pub action: Option<SpannedName>,
+}
+
+impl MoveitController {
     /// Whether it takes commands for a gripper, not trajectories.
-    pub is_gripper: bool,
+    pub fn is_gripper(&self) -> bool {
+        let action = self.action.as_ref();
+        action.is_some_and(|action| action.name == "GripperCommand")
+    }
 }
 
 /// The limits of a joint.
@@ -133,11 +141,10 @@ fn controller(name: SpannedName, parameters: Option<&YamlNode>) -> MoveitControl
         .and_then(|own| get(own, "joints"))
         .map(SpannedName::list)
         .unwrap_or_default();
-    let kind = parameters.and_then(|own| text(own, "type"));
     MoveitController {
         name,
         joints,
-        is_gripper: kind.is_some_and(|kind| kind.name == "GripperCommand"),
+        action: parameters.and_then(|own| text(own, "type")),
     }
 }
 

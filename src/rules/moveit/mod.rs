@@ -5,6 +5,7 @@ mod joint_limits_above_urdf;
 mod joint_limits_not_double;
 mod joint_limits_unknown_joint;
 pub(super) mod kinematics_unknown_group;
+mod moveit_controller_action;
 mod moveit_controller_unknown_joint;
 pub(super) mod moveit_unknown_controller;
 mod planning_unknown_group;
@@ -32,4 +33,10 @@ pub(super) static RULES: &[&Rule] = &[
     &setup_assistant_file_not_found::RULE,
     &setup_assistant_robot_fails::RULE,
     &setup_assistant_unknown_argument::RULE,
+    &moveit_controller_action::RULE,
 ];
+
+/// A name without its namespace.
+fn last(name: &str) -> &str {
+    name.rsplit('/').next().unwrap_or(name)
+}

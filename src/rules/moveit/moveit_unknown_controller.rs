@@ -3,6 +3,7 @@ use super::super::beside::BesideCx;
 use super::super::finding::Help;
 use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
+use super::last;
 use base::FastSet;
 use packages::nearest;
 
@@ -37,7 +38,7 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
         let message = format!("controller `{name}` is not in any controller manager of the robot");
         let near = nearest(name, listed.iter().copied());
         // the driver of a gripper may offer the action itself
-        let is_of_driver = controller.is_gripper && near.is_none();
+        let is_of_driver = controller.is_gripper() && near.is_none();
         let severity = if is_of_driver {
             Severity::Info
         } else {
@@ -55,9 +56,4 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
             .help(help)
             .done();
     }
-}
-
-/// A name without its namespace.
-fn last(name: &str) -> &str {
-    name.rsplit('/').next().unwrap_or(name)
 }
