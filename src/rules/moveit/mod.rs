@@ -8,6 +8,7 @@ pub(super) mod kinematics_unknown_group;
 mod moveit_controller_action;
 mod moveit_controller_unknown_joint;
 pub(super) mod moveit_unknown_controller;
+mod namespace;
 mod planning_unknown_group;
 mod servo_unknown_group;
 mod setup_assistant_file_not_found;
@@ -35,8 +36,3 @@ pub(super) static RULES: &[&Rule] = &[
     &setup_assistant_unknown_argument::RULE,
     &moveit_controller_action::RULE,
 ];
-
-/// A name without its namespace.
-fn last(name: &str) -> &str {
-    name.rsplit('/').next().unwrap_or(name)
-}

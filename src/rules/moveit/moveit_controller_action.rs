@@ -2,7 +2,7 @@
 use super::super::beside::BesideCx;
 use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::last;
+use super::namespace::last;
 
 pub(in super::super) static RULE: Rule = Rule::beside(
     "MOV012",

@@ -3,7 +3,7 @@ use super::super::beside::BesideCx;
 use super::super::finding::Help;
 use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::last;
+use super::namespace::last;
 use base::FastSet;
 use packages::nearest;
 
