@@ -15,16 +15,11 @@ pub(in super::super) static RULE: Rule = Rule::beside(
 
 const TRAJECTORY: &str = "FollowJointTrajectory";
 const GRIPPER: &str = "GripperCommand";
-const PARALLEL_GRIPPER: &str = "ParallelGripperCommand";
 
 /// The actions of classes of controllers. Others may offer any.
 /// Source: ros2_controllers, ros_controllers.
-const ACTIONS: [(&str, Option<&str>); 16] = [
+const ACTIONS: [(&str, Option<&str>); 15] = [
     ("/JointTrajectoryController", Some(TRAJECTORY)),
-    (
-        "parallel_gripper_action_controller/GripperActionController",
-        Some(PARALLEL_GRIPPER),
-    ),
     (
         "position_controllers/GripperActionController",
         Some(GRIPPER),
@@ -56,7 +51,7 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
         let Some(wanted) = &controller.action else {
             continue;
         };
-        if ![TRAJECTORY, GRIPPER, PARALLEL_GRIPPER].contains(&wanted.name.as_str()) {
+        if ![TRAJECTORY, GRIPPER].contains(&wanted.name.as_str()) {
             continue;
         }
         let name = last(&controller.name.name);
