@@ -21,7 +21,8 @@ if [ ! -d "$sysroot/lib/rustlib/$target" ]; then
         command -v apt-get >/dev/null || { echo "run: rustup target add $target" >&2; exit 1; }
         rm -rf "$tools"
         mkdir -p "$tools/debs" "$tools/root"
-        [ "$(apt-cache policy rustc-web)" ] || apt-get update -qq
+        # lists that came with a system may know an older compiler alone
+        apt-get update -qq || [ "$(apt-cache policy rustc-web)" ]
         # the newest libraries, of which each needs its own version of LLVM
         std=$(apt-cache depends --important libstd-rust-web-dev | sed -n 's/.*Depends: \(libstd-rust-web-[0-9.]*\)$/\1/p' | head -n 1)
         llvm=$(apt-cache depends --important "$std" | sed -n 's/.*Depends: \(libllvm[0-9]*\)$/\1/p' | head -n 1)
