@@ -61,38 +61,7 @@ impl Robot {
         if let Some(old) = old.filter(|old| naming::are_same(&robot, old)) {
             robot.naming = Arc::clone(&old.naming);
         }
-        #[cfg(debug_assertions)]
-        robot.verify(&Self::below(tree, element));
         Some(robot)
-    }
-
-    /// In builds for tests: what is shared is what is read again.
-    #[cfg(debug_assertions)]
-    fn verify(&self, fresh: &Self) {
-        let parts = |robot: &Self| {
-            let links: Vec<_> = robot
-                .links
-                .iter()
-                .map(|one| (one.element, one.name.clone()))
-                .collect();
-            let joints: Vec<_> = robot
-                .joints
-                .iter()
-                .map(|one| (one.element, one.name.clone()))
-                .collect();
-            let blocks: Vec<XId> = robot.gazebo.iter().map(|one| one.element).collect();
-            let others = (
-                robot.materials.len(),
-                robot.controls.len(),
-                robot.transmissions.len(),
-            );
-            format!("{links:?} {joints:?} {blocks:?} {others:?}")
-        };
-        assert_eq!(
-            parts(self),
-            parts(fresh),
-            "a robot of an incremental expansion"
-        );
     }
 
     /// The parts of a robot among the children of `element`.
