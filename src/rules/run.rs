@@ -20,7 +20,7 @@ use super::sink::{Sink, span};
 use super::visit::visit;
 use super::vocabulary::{is_urdf_element, is_xacro_uri, outside_free_zones};
 use super::xacro::is_unprefixed;
-use base::{CancelFlag, FastSet, FileId, Span, TextRange};
+use base::{FastSet, FileId, Span, TextRange};
 use expand::{Expansion, FileUse, Problem, ProblemKind};
 use model::Robot;
 use vfs::Vfs;
@@ -83,7 +83,7 @@ pub fn check_expansion(
 
 /// In builds for tests: passing over what is settled leaves no finding out.
 #[cfg(debug_assertions)]
-fn verify(made: &[Finding], fresh: &[Finding], cancel: &CancelFlag) {
+fn verify(made: &[Finding], fresh: &[Finding], cancel: &base::CancelFlag) {
     let shown = |findings: &[Finding]| -> Vec<String> {
         findings.iter().map(|found| format!("{found:?}")).collect()
     };
