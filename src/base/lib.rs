@@ -10,6 +10,7 @@ pub mod paths;
 mod position;
 mod range;
 mod severity;
+mod shared_id_vec;
 mod shared_vec;
 mod text;
 
@@ -20,7 +21,8 @@ pub use id_vec::{Id, IdVec};
 pub use position::{Encoding, LineCol, count_line_ends, last_line_start, line_end, nth_line_start};
 pub use range::{FileId, Span, TextRange};
 pub use severity::Severity;
-pub use shared_vec::{SharedIdVec, SharedVec, SharedVecIter};
+pub use shared_id_vec::SharedIdVec;
+pub use shared_vec::{SharedVec, SharedVecIter};
 pub use text::{counted, escape_xml};
 
 /// The hash map used throughout: fast, not resistant to chosen keys, never iterated into output.
