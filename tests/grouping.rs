@@ -155,6 +155,31 @@ fn copies_in_other_files_belong_to_it() {
 }
 
 #[test]
+fn robots_that_were_written_in_series_have_one_defect() {
+    let named = |number: usize| {
+        (
+            format!("robot_{number}.urdf"),
+            robot(&[&format!("link_{number}")]),
+        )
+    };
+    let series: Vec<(String, String)> = (0..10).map(named).collect();
+    let (last, others) = series.split_last().unwrap();
+    let folder = Folder::of(&[("robot.urdf", robot(&["other"]))]);
+    others
+        .iter()
+        .for_each(|(name, text)| folder.write(name, text));
+    assert_eq!(folder.json(CHECK).len(), 10, "nine may be variants");
+    folder.write(&last.0, &last.1);
+    let found = folder.json(CHECK);
+    assert_eq!((found.len(), &found[1]["places"]), (2, &Value::from(10)));
+    assert!(
+        message(&found[1])
+            .ends_with("`link_0` has a mass but zero inertia; 9 more locations, in 10 files"),
+        "{found:?}"
+    );
+}
+
+#[test]
 fn different_names_and_structure_are_never_one() {
     let orphans =
         "<robot name=\"r\"><link name=\"a\"/>\n<link name=\"b\"/>\n<link name=\"c\"/>\n</robot>";

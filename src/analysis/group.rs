@@ -7,8 +7,16 @@ use std::sync::Arc;
 use indexmap::IndexMap;
 
 use super::report::Report;
+use super::series::Series;
 use base::{FastMap, FastSet, FileId, Span, counted};
 use rules::{Edit, Finding, Fix, Group, Related, Severity};
+
+/// Files that say the same, or nearly.
+struct AlikeFiles {
+    /// Those whose text another one has as well, each with the first of that text.
+    copied: FastMap<FileId, FileId>,
+    series: Series,
+}
 
 /// What the findings of a group share.
 #[derive(PartialEq, Eq, Hash)]
@@ -27,8 +35,11 @@ impl Report {
     /// edits all of them.
     #[must_use]
     pub fn grouped(mut self) -> Self {
-        let copied = self.copied();
-        let groups = groups(&self.findings, Some(&copied), |span| self.text(span));
+        let alike = AlikeFiles {
+            copied: self.copied(),
+            series: Series::of(&self.findings, &self.paths),
+        };
+        let groups = groups(&self.findings, Some(&alike), |span| self.text(span));
         let mut findings: Vec<Option<Finding>> = self.findings.into_iter().map(Some).collect();
         for group in groups {
             let mut members = group
@@ -124,19 +135,19 @@ fn mark_groups(findings: &mut [Finding], text: impl Fn(Span) -> Option<String>) 
     }
 }
 
-/// The numbers of the findings of each group, in order: of every file by itself where nothing is said of copies of files.
+/// The numbers of the findings of each group, in order: of every file by itself where nothing is said of files that are alike.
 fn groups(
     findings: &[Finding],
-    copied: Option<&FastMap<FileId, FileId>>,
+    alike: Option<&AlikeFiles>,
     text: impl Fn(Span) -> Option<String>,
 ) -> Vec<Vec<usize>> {
     let mut groups: IndexMap<GroupKey, Vec<usize>> = IndexMap::new();
     for (number, finding) in findings.iter().enumerate() {
-        if let Some(key) = key(finding, copied, &text) {
+        if let Some(key) = key(finding, alike, &text) {
             groups.entry(key).or_default().push(number);
         }
     }
-    if copied.is_none() {
+    if alike.is_none() {
         groups.retain(|key, members| members.len() >= key.group.least());
         return groups.into_values().collect();
     }
@@ -186,26 +197,29 @@ const COPIES: usize = 3;
 
 fn key(
     finding: &Finding,
-    copied: Option<&FastMap<FileId, FileId>>,
+    alike: Option<&AlikeFiles>,
     text: impl Fn(Span) -> Option<String>,
 ) -> Option<GroupKey> {
     let mut group = finding
         .group
         .clone()
         .unwrap_or_else(|| finding.rule.group());
-    let original = copied
-        .and_then(|copied| copied.get(&finding.span.file))
+    let original = alike
+        .and_then(|alike| alike.copied.get(&finding.span.file))
         .filter(|_| group == Group::Place);
     if let Some(original) = original {
         let range = finding.span.range;
         group = Group::Thing(format!("{}:{}-{}", original.0, range.start, range.end).into());
+    }
+    if let Some(series) = alike.and_then(|alike| alike.series.around(finding)) {
+        group = Group::Thing(series.into());
     }
     let text = match group {
         Group::Place => return None,
         Group::Text => text(finding.span)?,
         _ => String::new(),
     };
-    let anywhere = matches!(group, Group::Value(_) | Group::Thing(_)) && copied.is_some();
+    let anywhere = matches!(group, Group::Value(_) | Group::Thing(_)) && alike.is_some();
     let file = (!anywhere).then_some(finding.span.file);
     Some(GroupKey {
         rule: finding.rule.code,

@@ -57,6 +57,7 @@ mod run_cache;
 mod run_task;
 mod runs;
 mod scan;
+mod series;
 mod session;
 mod set_aside;
 mod suppress;

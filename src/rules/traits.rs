@@ -64,14 +64,16 @@ static CONTACT: [&Rule; 2] = [
     &geometry::mesh_inconsistent_normals::RULE,
 ];
 
-static SIMULATION: [&Rule; 3] = [
+static SIMULATION: [&Rule; 4] = [
     &control::gazebo_link_settings_on_joint::RULE,
     &control::gazebo_unknown_reference::RULE,
+    &control::sdf_surface::RULE,
     &joint::mimic_range_exceeds_limits::RULE,
 ];
 
-static GAZEBO: [&Rule; 5] = [
+static GAZEBO: [&Rule; 6] = [
     &control::gazebo_link_settings_on_joint::RULE,
+    &control::sdf_surface::RULE,
     &control::gazebo_unknown_reference::RULE,
     &control::plugin_file_not_found::RULE,
     &control::plugin_unknown_joint::RULE,

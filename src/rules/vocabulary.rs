@@ -23,6 +23,9 @@ pub(super) fn is_forgotten_prefix(name: &str) -> bool {
     xacro_tag(name).is_some_and(|tag| !tag.is_common_word)
 }
 
+/// The element of SDF for friction and contacts of a collision. URDF has none.
+pub(super) const SDF_SURFACE: &str = "surface";
+
 /// Whether a link stands for the surroundings of a robot by its name.
 pub(super) fn is_surroundings(link: &str) -> bool {
     matches!(link, "world" | "map" | "odom" | "earth")

@@ -34,6 +34,7 @@ mod ros2_control_param_nonpositive_size;
 mod ros2_control_unknown_interface;
 mod ros2_control_unknown_joint;
 mod ros2_control_unknown_tag;
+pub(super) mod sdf_surface;
 pub(super) mod transmission_missing_actuator;
 pub(super) mod transmission_missing_hardware_interface;
 pub(super) mod transmission_unknown_joint;
@@ -81,4 +82,5 @@ pub(super) static RULES: &[&Rule] = &[
     &plugin_wheel_mismatch::RULE,
     &controller_wheel_mismatch::RULE,
     &gazebo_link_settings_on_joint::RULE,
+    &sdf_surface::RULE,
 ];

@@ -123,13 +123,14 @@ fn is_of_checkout(cx: &DocumentCx<'_>, name: &AttrValue) -> bool {
         && has_space(&path.to_string_lossy())
 }
 
-/// Whether the name of a file follows `package:///`, the file lies beside the description, and no package does: programs
-/// that are given the folder, and Bullet, find it.
+/// Whether a path without a package follows `package://`, the file lies beside the description, and no package does:
+/// exporters write that, and programs that are given the folder, and Bullet, find it.
 fn is_beside(cx: &DocumentCx<'_>, name: &AttrValue) -> bool {
     let file = cx.expansion.files.first().map(|file| &*file.source.path);
     let path = name
         .value
-        .strip_prefix("package:///")
+        .strip_prefix("package://")
+        .map(|path| path.trim_start_matches('/'))
         .filter(|path| !path.is_empty());
     let (Some(file), Some(path)) = (file, path) else {
         return false;
@@ -138,17 +139,17 @@ fn is_beside(cx: &DocumentCx<'_>, name: &AttrValue) -> bool {
     cx.world.packages.containing(file).is_none() && cx.world.vfs.is_file(&beside)
 }
 
-/// The scheme and the first name behind it: what is wrong with them is wrong in every URI of a file.
+/// The scheme and the first folder behind it: what is wrong with them is wrong in every URI of a file. The last name is
+/// that of the mesh.
 fn beginning(uri: &str) -> String {
-    // without a package, the first name is that of the mesh
-    if uri.starts_with("package:///") {
-        return String::new();
-    }
-    let names: Vec<&str> = uri
+    let mut names: Vec<&str> = uri
         .split(['/', '\\'])
         .filter(|name| !name.is_empty())
-        .take(2)
         .collect();
+    names.pop();
+    // without a package, the first name is that of a folder
+    let most = if uri.starts_with("package:///") { 1 } else { 2 };
+    names.truncate(most);
     names.join("/")
 }
 

@@ -5,6 +5,7 @@ use super::super::grouping::Group;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::schema::{self, ElementSpec};
 use super::super::sink::Sink;
+use super::super::vocabulary::SDF_SURFACE;
 use super::missing_element::bare_shape;
 use super::seen::CheckedElement;
 use super::walk;
@@ -32,8 +33,9 @@ fn check(cx: &DocumentCx<'_>, element: &CheckedElement, out: &mut Sink<'_>) {
         return;
     };
     let name = cx.expansion.tree.get(id).text.as_str();
-    // shapes have a rule of their own
-    let elsewhere = name.contains(':') || parent.name == "geometry";
+    // shapes and surfaces have rules of their own
+    let has_rule = parent.name == "geometry" || parent.name == "collision" && name == SDF_SURFACE;
+    let elsewhere = name.contains(':') || has_rule;
     if elsewhere || is_allowed(cx, name) || walk::lacks_prefix(cx, id) {
         return;
     }
