@@ -128,7 +128,8 @@ impl Session {
 
     /// What is found from a place on in a launch file that nobody runs is an info.
     fn lower_left_over(&self, caller: &Path, found: &mut [Finding], from: usize) {
-        if found.len() > from && self.is_launch_left_over(caller) {
+        let is_idle = || self.is_launch_left_over(caller) || self.is_example_of_driver(caller);
+        if found.len() > from && is_idle() {
             let own = found.iter_mut().skip(from);
             own.for_each(|one| one.severity = one.severity.min(Severity::Info));
         }

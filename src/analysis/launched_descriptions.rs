@@ -75,9 +75,16 @@ impl LaunchedDescriptions<'_> {
         })
     }
 
-    /// Whether a program looks whether files exist, or writes some itself.
+    /// Whether a program looks whether files exist, or writes some itself or by xacro.
     fn writes_descriptions(&self, program: &Path) -> bool {
-        const SIGNS: [&str; 5] = ["exists(", "isfile(", "'w'", "\"w\"", "write_text("];
+        const SIGNS: [&str; 6] = [
+            "exists(",
+            "isfile(",
+            "'w'",
+            "\"w\"",
+            "write_text(",
+            "xacro -o",
+        ];
         self.0
             .packages
             .is_text(program, |text| SIGNS.iter().any(|sign| text.contains(sign)))

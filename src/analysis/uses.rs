@@ -70,6 +70,16 @@ impl Session {
         self.lower_where(findings, about(named::RESERVED_FRAME_NAME), || {
             (!self.callers.localize_any(file)).then_some(Severity::Info)
         });
+        // where it is no link, a program may publish it
+        let is_published = |finding: &Finding| {
+            finding.rule == named::PLUGIN_UNKNOWN_FRAME
+                && finding
+                    .message
+                    .split('`')
+                    .nth(1)
+                    .is_some_and(|frame| self.callers.say_name(file, frame))
+        };
+        self.lower_where(findings, is_published, info);
         let is_spaced = |finding: &Finding| {
             finding.rule == named::INVALID_NAME && self.is_name_of_no_controller(file, finding)
         };
@@ -270,6 +280,22 @@ impl Session {
             || self.callers.is_launch_of_ros1(file)
             || self.callers.is_put_aside(file)
             || self.packages.is_never_built(file)
+    }
+
+    /// Whether a launch file comes with a driver of ros2_control, which has no robot of its own, and no text names it: it is an example,
+    /// and robots of other packages use the driver.
+    pub(super) fn is_example_of_driver(&self, launch: &Path) -> bool {
+        const EXPORT: &str = "pluginlib_export_plugin_description_file(hardware_interface";
+        let Some(package) = self.packages.containing(launch) else {
+            return false;
+        };
+        let build = self.vfs.text(&package.folder.join("CMakeLists.txt"));
+        let all = self.callers.descriptions(launch);
+        let has_robot = all.iter().any(|file| file.starts_with(&package.folder));
+        build.is_ok_and(|build| build.text.contains(EXPORT))
+            && !all.is_empty()
+            && !has_robot
+            && !self.is_named_in_use(launch)
     }
 
     /// Whether a launch file runs xacro on a file, whatever its ending is, or somebody ran it and kept the result beside it.

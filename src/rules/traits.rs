@@ -64,18 +64,20 @@ static CONTACT: [&Rule; 2] = [
     &geometry::mesh_inconsistent_normals::RULE,
 ];
 
-static SIMULATION: [&Rule; 4] = [
+static SIMULATION: [&Rule; 5] = [
     &control::gazebo_link_settings_on_joint::RULE,
     &control::gazebo_unknown_reference::RULE,
+    &control::plugin_unknown_frame::RULE,
     &control::sdf_surface::RULE,
     &joint::mimic_range_exceeds_limits::RULE,
 ];
 
-static GAZEBO: [&Rule; 6] = [
+static GAZEBO: [&Rule; 7] = [
     &control::gazebo_link_settings_on_joint::RULE,
     &control::sdf_surface::RULE,
     &control::gazebo_unknown_reference::RULE,
     &control::plugin_file_not_found::RULE,
+    &control::plugin_unknown_frame::RULE,
     &control::plugin_unknown_joint::RULE,
     &control::plugin_wheel_mismatch::RULE,
 ];

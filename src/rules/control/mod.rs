@@ -16,6 +16,7 @@ mod hardware;
 mod joints;
 mod misspelled_plugin;
 pub(super) mod plugin_file_not_found;
+pub(super) mod plugin_unknown_frame;
 pub(super) mod plugin_unknown_joint;
 pub(super) mod plugin_wheel_mismatch;
 mod plugins;
@@ -83,4 +84,5 @@ pub(super) static RULES: &[&Rule] = &[
     &controller_wheel_mismatch::RULE,
     &gazebo_link_settings_on_joint::RULE,
     &sdf_surface::RULE,
+    &plugin_unknown_frame::RULE,
 ];

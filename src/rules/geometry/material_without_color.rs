@@ -2,7 +2,7 @@
 use super::super::context::{DocumentCx, RootKind};
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::shapes::is_defined;
+use super::shapes::{is_defined, visual_materials};
 use model::{AttrValue, Material, source_has_elements, tag_start};
 
 pub(super) static RULE: Rule = Rule {
@@ -38,10 +38,24 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             let message = format!("material `{name}` has neither color nor texture");
             let origin = tag_start(cx.expansion, material.element);
             out.report(origin, message)
-                .help("add <color rgba=\"...\"/>; urdfdom rejects the robot otherwise")
+                .severity(if is_shown(cx, name) {
+                    RULE.severity
+                } else {
+                    Severity::Hint
+                })
+                .help("add <color rgba=\"...\"/>; urdfdom leaves the material out otherwise")
                 .done();
         }
     }
+}
+
+/// Whether a visual has the material. Those of collisions, and all but the first of a visual, are not read.
+fn is_shown(cx: &DocumentCx<'_>, name: &str) -> bool {
+    let robot = cx.robot.into_iter();
+    robot.flat_map(visual_materials).any(|(_, material)| {
+        let own = material.name.as_ref();
+        own.is_some_and(|own| own.value == name)
+    })
 }
 
 /// Whether a macro that nothing calls gives the color of a `gazebo` element: without a name, and with the color as text.

@@ -59,6 +59,14 @@ impl<'a> MissingFiles<'a> {
     }
 }
 
+/// The first folder of a path that does not exist: all that would be below it has one cause. The folder itself where it exists.
+fn first_missing<'p>(cx: &DocumentCx<'_>, folder: &'p Path) -> &'p Path {
+    let missing = folder
+        .ancestors()
+        .take_while(|folder| !cx.world.vfs.is_dir(folder));
+    missing.last().unwrap_or(folder)
+}
+
 /// Report the missing files of one folder.
 fn report(
     cx: &DocumentCx<'_>,
@@ -86,10 +94,11 @@ fn report(
         .and_then(Option::as_ref)
         .filter(is_one_folder)
         .filter(is_moved);
+    let missing = first_missing(cx, folder);
     for (file, found) in files.iter().zip(&namesakes) {
         let report = out
             .report(file.name.origin, message(file, package))
-            .group(Group::Thing(folder.to_string_lossy().into()));
+            .group(Group::Thing(missing.to_string_lossy().into()));
         if let Some(argument) = cx.expansion.empty_argument(&file.name.pieces) {
             let help = format!("pass {argument}:=...; argument `{argument}` is empty by default");
             report.severity(Severity::Info).help(help).done();

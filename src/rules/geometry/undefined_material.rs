@@ -1,4 +1,9 @@
 //! A material that is defined nowhere.
+use std::cell::OnceCell;
+use std::path::Path;
+
+use ecow::EcoString;
+
 use super::super::context::RobotCx;
 use super::super::finding::Help;
 use super::super::grouping::Group;
@@ -34,6 +39,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let defined: Vec<&str> = names.map(|name| name.value.as_str()).collect();
     let known: FastSet<&str> = defined.iter().copied().collect();
     let mut suggestions = Suggestions::default();
+    let definitions = OnceCell::new();
     for (link, material) in visual_materials(cx.robot).filter(|(_, material)| !is_defined(material))
     {
         let Some(text) = &material.name else { continue };
@@ -47,7 +53,10 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
             .nearest(name, defined.iter().copied())
             .filter(|near| is_replaceable(text, near));
         // one name is misspelled; several that are like no other are defined in a file that is not included
-        let group = near.map_or(Group::File, |_| Group::Name(name.clone()));
+        let group = match near {
+            Some(_) => Group::Name(name.clone()),
+            None => Group::Thing(definitions.get_or_init(|| place_of_definitions(cx)).clone()),
+        };
         let report = out
             .report(
                 text.origin,
@@ -62,6 +71,18 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
             None => report.severity(if is_on_colored_mesh(link, material) { Severity::Info } else { RULE.severity }).help(format!("add <material name=\"{name}\"><color rgba=\"...\"/></material> to <robot>, or a <color> here")).done(),
         }
     }
+}
+
+/// Where the materials of a robot would be defined, for all of its package.
+fn place_of_definitions(cx: &RobotCx<'_>) -> EcoString {
+    let root = cx.expansion.files.first().map(|file| &*file.source.path);
+    let package = root.and_then(|root| cx.world.packages.containing(root));
+    let folder = package
+        .as_ref()
+        .map(|package| &*package.folder)
+        .or_else(|| root?.parent());
+    let folder = folder.map(Path::to_string_lossy).unwrap_or_default();
+    format!("materials of {folder}").into()
 }
 
 /// Whether a material is that of a mesh in a format that holds colors of its own: these are shown without it.

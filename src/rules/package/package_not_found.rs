@@ -42,6 +42,8 @@ struct MissingPackage {
     error: NotFound,
     /// The package that is meant.
     nearest: Option<String>,
+    /// The package of the description, if it has what is named: it had the other name once.
+    own: Option<String>,
     places: Vec<Origin>,
     /// Whether a folder around the file has what is named: programs that know no packages look there.
     lies_around: bool,
@@ -220,6 +222,7 @@ fn look_up(
             Some(MissingPackage {
                 error,
                 nearest: cx.world.packages.meant(name, &from),
+                own: own_with(cx.world, attr, &from),
                 places: Vec::new(),
                 lies_around: lies_around(cx.world, &attr.value, &from),
             })
@@ -227,6 +230,16 @@ fn look_up(
     if let Some(missing) = slot {
         missing.places.push(name_in_source(attr, name));
     }
+}
+
+/// The package of a description, if it has the file that a URI names in another one, which it does not depend on.
+fn own_with(world: RuleEnv<'_>, attr: &XAttr, from: &Path) -> Option<String> {
+    let own = world.packages.containing(from)?;
+    let is_here = world.vfs.is_file(&own.folder.join(path_in_package(attr)?));
+    let manifest = dependencies::manifest_around(world, from);
+    let is_declared =
+        manifest.is_some_and(|manifest| package(attr).is_some_and(|name| manifest.declares(name)));
+    (is_here && !is_declared).then(|| own.name.to_string())
 }
 
 /// Whether a folder around a file has what a `package://` URI names, taken as a path.
@@ -242,7 +255,8 @@ fn report(cx: &DocumentCx<'_>, missing: &MissingPackage, out: &mut Sink<'_>) {
     let Some((&first, others)) = missing.places.split_first() else {
         return;
     };
-    let news = is_news(cx.world, missing.nearest.as_deref());
+    let meant = missing.nearest.as_ref().or(missing.own.as_ref());
+    let news = is_news(cx.world, meant.map(String::as_str));
     let severity = if news && !missing.lies_around {
         Severity::Warning
     } else {
@@ -254,12 +268,18 @@ fn report(cx: &DocumentCx<'_>, missing: &MissingPackage, out: &mut Sink<'_>) {
     for &other in others.iter().take(MOST_PLACES) {
         report = report.also(other, "also used here");
     }
-    match &missing.nearest {
-        Some(near) => report
+    match (&missing.nearest, &missing.own) {
+        (Some(near), _) => report
             .help(Help::did_you_mean(near))
             .replace_with(Safety::Unsafe, format!("rename to `{near}`"), near)
             .done(),
-        None => report
+        (None, Some(own)) => report
+            .help(format!(
+                "write `{own}`: the package of this description has the file at the same path"
+            ))
+            .replace_with(Safety::Unsafe, format!("rename to `{own}`"), own)
+            .done(),
+        (None, None) => report
             .help("pass its folder with --package-path, or source its workspace")
             .done(),
     }
@@ -267,7 +287,8 @@ fn report(cx: &DocumentCx<'_>, missing: &MissingPackage, out: &mut Sink<'_>) {
 
 /// The package of a `package://` URI whose beginning is known.
 fn package(attr: &XAttr) -> Option<&str> {
-    let name = attr.value.strip_prefix("package://")?.split('/').next()?;
+    // without a path, it is the name of a file, and the URI is wrong
+    let (name, _) = attr.value.strip_prefix("package://")?.split_once('/')?;
     let end = ("package://".len() + name.len()) as u32;
     let known = attr
         .pieces

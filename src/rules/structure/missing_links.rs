@@ -134,12 +134,16 @@ pub(super) fn lost_links(cx: &RobotCx<'_>) -> FastSet<EcoString> {
         .collect()
 }
 
-/// The joints that have a parent or a child, and not both: what is missing is reported at the joint.
-pub(super) fn joints_with_one_end(robot: &Robot) -> impl Iterator<Item = &Joint> {
-    robot
-        .joints
-        .iter()
-        .filter(|joint| joint.parent.is_some() != joint.child.is_some())
+/// How many parents and children of joints are missing: what is missing is reported at the joint.
+pub(super) fn missing_ends(robot: &Robot) -> usize {
+    let ends = |joint: &Joint| [&joint.parent, &joint.child].map(|end| usize::from(end.is_none()));
+    robot.joints.iter().flat_map(ends).sum()
+}
+
+/// How many joints have no parent or no child.
+pub(super) fn incomplete_joints(robot: &Robot) -> usize {
+    let is_incomplete = |joint: &&Joint| joint.parent.is_none() || joint.child.is_none();
+    robot.joints.iter().filter(is_incomplete).count()
 }
 
 /// The link that was perhaps meant: a near name, or the only one that differs by a prefix.

@@ -2,7 +2,7 @@
 use super::super::context::RobotCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::missing_links::{joined_elsewhere, joints_with_one_end, lost_links};
+use super::missing_links::{incomplete_joints, joined_elsewhere, lost_links};
 use model::AttrValue;
 
 pub(in super::super) static RULE: Rule = Rule {
@@ -39,7 +39,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         .iter()
         .find_map(|usual| roots.iter().position(|root| root.value == *usual));
     // each joint without a parent gives a root, and has its own finding
-    if roots.len() < 2 || roots.len() <= 1 + joints_with_one_end(cx.robot).count() {
+    if roots.len() < 2 || roots.len() <= 1 + incomplete_joints(cx.robot) {
         return;
     }
     let first = roots.remove(usual.unwrap_or(0));

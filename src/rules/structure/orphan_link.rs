@@ -6,7 +6,7 @@ use ecow::EcoString;
 use super::super::context::RobotCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::missing_links::{joined_elsewhere, joints_with_one_end, lost_links};
+use super::missing_links::{joined_elsewhere, lost_links, missing_ends};
 use base::FastSet;
 use model::{AttrValue, Link};
 
@@ -50,7 +50,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         })
         .collect();
     // each joint without a parent or a child leaves a link over, and has its own finding
-    if orphans.len() <= joints_with_one_end(cx.robot).count() {
+    if orphans.len() <= missing_ends(cx.robot) {
         return;
     }
     // by a joint below a condition that does not hold, or in a macro that nothing calls; read when it is asked for

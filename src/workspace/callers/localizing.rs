@@ -27,20 +27,30 @@ impl Callers {
     /// Whether a launch file, program, setting or page around a description names a program that localizes robots; also where not all
     /// of them are known, or nothing runs.
     pub fn localize_any(&self, file: &Path) -> bool {
-        let (Some(top), Some(mentions)) = (self.packages.sources_around(file), self.mentions(file))
-        else {
+        let is_run = self
+            .mentions(file)
+            .is_some_and(|mentions| mentions.is_whole && mentions.runs);
+        !is_run || self.any_text(file, |text| has_any(text, &WORDS))
+    }
+
+    /// Whether a launch file, program, setting or page around a description has a name, such as that of a frame that it publishes; also
+    /// where not all of them are known.
+    pub fn say_name(&self, file: &Path, name: &str) -> bool {
+        self.any_text(file, |text| read::has_name(text, name))
+    }
+
+    /// Whether something holds for a text around a description that may start programs, without its comments; also where not all of
+    /// them are known.
+    fn any_text(&self, file: &Path, holds: impl Fn(&str) -> bool) -> bool {
+        let Some(top) = self.packages.sources_around(file) else {
             return true;
         };
-        if !(mentions.is_whole && mentions.runs) {
-            return true;
-        }
         let vfs = self.packages.vfs();
         let mut is_any = false;
         let is_whole = walk(vfs, &top, &mut |path, name, is_small| {
             let is_read = !is_any && file_names::may_call(name) && is_small();
             let text = is_read.then(|| vfs.text(path).ok()).flatten();
-            is_any |=
-                text.is_some_and(|text| has_any(&read::without_comments(name, &text.text), &WORDS));
+            is_any |= text.is_some_and(|text| holds(&read::without_comments(name, &text.text)));
         });
         is_any || !is_whole
     }
