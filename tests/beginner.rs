@@ -14,7 +14,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use xacro_lsp::analysis::{CheckOptions, FixOptions, Overrides, Report, Session, Setup};
+use xacro_lsp::analysis::{self, CheckOptions, FixOptions, Overrides, Report, Session, Setup};
 use xacro_lsp::rules::{Safety, Severity};
 use xacro_lsp::vfs::Environment;
 
@@ -218,7 +218,7 @@ fn session(folder: &Path) -> (Session, CheckOptions) {
 
 fn check(folder: &Path) -> Report {
     let (session, options) = session(folder);
-    session.check(&options).grouped()
+    analysis::grouped(session.check(&options))
 }
 
 /// `error RULE FILE:LINE` for each finding of a severity, in order.

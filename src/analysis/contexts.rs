@@ -1,10 +1,10 @@
 //! The contexts of a check: the configured roots, each with each of its presets, and how findings speak of them.
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use ecow::EcoString;
 
 use super::check_task::{CheckTask, LaunchCallSites};
-use super::root_config::RootConfig;
+use super::root_config::{label, short_name};
 use super::root_result::RootResult;
 use base::{FastSet, FileId, Span, TextRange};
 use rules::Related;
@@ -87,7 +87,7 @@ impl Contexts {
         let mut seen = FastSet::default();
         let again = files
             .into_iter()
-            .map(|file| name(file))
+            .map(|file| short_name(file))
             .filter(|name| !seen.insert(name.clone()));
         let ambiguous = again.collect();
         Self { runs, ambiguous }
@@ -288,48 +288,12 @@ impl Contexts {
 
     fn label(&self, number: usize) -> Option<String> {
         let run = self.runs.get(number)?;
-        let short = name(&run.file);
+        let short = short_name(&run.file);
         let name = if self.ambiguous.contains(&short) {
             vfs::slashed(&run.file)
         } else {
             short
         };
         Some(label(name, &run.args))
-    }
-}
-
-fn name(file: &Path) -> String {
-    file.file_name()
-        .unwrap_or_default()
-        .to_string_lossy()
-        .into_owned()
-}
-
-/// A root with its arguments, as one writes them on a command line; later arguments win.
-pub(super) fn label(mut text: String, args: &[(String, String)]) -> String {
-    for (number, (name, value)) in args.iter().enumerate() {
-        if !args.iter().skip(number + 1).any(|(later, _)| later == name) {
-            text.push_str(&format!(" {name}:={value}"));
-        }
-    }
-    text
-}
-
-impl RootConfig {
-    /// For people: the name of the file and the arguments.
-    pub fn label(&self) -> String {
-        label(name(&self.file), &self.args)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::label;
-
-    #[test]
-    fn the_last_value_of_an_argument_counts() {
-        let args = [("a", "1"), ("b", "2"), ("a", "3")]
-            .map(|(name, value)| (name.to_owned(), value.to_owned()));
-        assert_eq!(label("r.xacro".to_owned(), &args), "r.xacro b:=2 a:=3");
     }
 }

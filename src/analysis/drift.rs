@@ -9,6 +9,7 @@ use super::options::CheckOptions;
 use super::root_result::RootResult;
 use super::run_cache::{RunResult, RunSetting};
 use super::run_task;
+use super::runs::run_once;
 use super::session::Session;
 use super::threads::map_all;
 use base::limits::{DRIFT_RUNS, DRIFT_SOURCES};
@@ -98,9 +99,7 @@ impl Session {
                         ..RunSetting::default()
                     },
                 );
-                let run = self
-                    .drift_runs
-                    .get(self, &self.vfs, cancel, &task, &setting);
+                let run = run_once(&self.drift_runs, self, &self.vfs, cancel, &task, &setting);
                 let variant = Generation {
                     is_meant: self.is_meant(&variant, &run, &file.path),
                     ..variant
@@ -315,7 +314,7 @@ impl Session {
     /// The command that generates a file again.
     fn command(&self, variant: &Generation, file: &Path) -> String {
         let cwd = &self.env.cwd;
-        let source = super::contexts::label(slashed_from(cwd, &variant.source), &variant.args);
+        let source = super::root_config::label(slashed_from(cwd, &variant.source), &variant.args);
         format!("xacro-lint expand {source} -o {}", slashed_from(cwd, file))
     }
 }

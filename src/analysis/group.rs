@@ -30,72 +30,70 @@ struct GroupKey {
     text: String,
 }
 
-impl Report {
-    /// Put the places of one defect together: the first one stays, with the others beside it and a fix that
-    /// edits all of them.
-    #[must_use]
-    pub fn grouped(mut self) -> Self {
-        let alike = AlikeFiles {
-            copied: self.copied(),
-            series: Series::of(&self.findings, &self.paths),
-        };
-        let groups = groups(&self.findings, Some(&alike), |span| self.text(span));
-        let mut findings: Vec<Option<Finding>> = self.findings.into_iter().map(Some).collect();
-        for group in groups {
-            let mut members = group
-                .iter()
-                .filter_map(|&i| findings.get_mut(i).and_then(Option::take));
-            let mut joined = members.next().map(|first| join(first, members.collect()));
-            // files have numbers in the order in which they were read, which is another one each time
-            let edits = joined.iter_mut().flat_map(|joined| &mut joined.fix);
-            edits.for_each(|fix| sort_by_path(&mut fix.edits, &self.paths));
-            if let Some(place) = group.first().and_then(|&at| findings.get_mut(at)) {
-                *place = joined;
-            }
-        }
-        self.findings = findings.into_iter().flatten().collect();
-        self
-    }
-
-    /// The files with findings whose text another one has as well, each with the first of that text.
-    fn copied(&self) -> FastMap<FileId, FileId> {
-        let files: BTreeSet<FileId> = self
-            .findings
+/// Put the places of one defect together: the first one stays, with the others beside it and a fix that
+/// edits all of them.
+#[must_use]
+pub fn grouped(mut report: Report) -> Report {
+    let alike = AlikeFiles {
+        copied: copied(&report),
+        series: Series::of(&report.findings, &report.paths),
+    };
+    let groups = groups(&report.findings, Some(&alike), |span| text(&report, span));
+    let mut findings: Vec<Option<Finding>> = report.findings.into_iter().map(Some).collect();
+    for group in groups {
+        let mut members = group
             .iter()
-            .map(|finding| finding.span.file)
-            .collect();
-        let mut by_text: FastMap<u64, Vec<FileId>> = FastMap::default();
-        for file in files {
-            if let Some(source) = self.source(file) {
-                by_text.entry(source.hash).or_default().push(file);
-            }
+            .filter_map(|&i| findings.get_mut(i).and_then(Option::take));
+        let mut joined = members.next().map(|first| join(first, members.collect()));
+        // files have numbers in the order in which they were read, which is another one each time
+        let edits = joined.iter_mut().flat_map(|joined| &mut joined.fix);
+        edits.for_each(|fix| sort_by_path(&mut fix.edits, &report.paths));
+        if let Some(place) = group.first().and_then(|&at| findings.get_mut(at)) {
+            *place = joined;
         }
-        let several = by_text.into_values().filter(|files| files.len() > 1);
-        several
-            .flat_map(|files| {
-                let first = files.first().copied();
-                files
-                    .into_iter()
-                    .filter_map(move |file| Some((file, first?)))
-            })
-            .collect()
     }
+    report.findings = findings.into_iter().flatten().collect();
+    report
+}
 
-    /// Mark the places of one defect for an editor, see `mark_groups` below.
-    pub fn mark_groups(&mut self) {
-        let mut findings = std::mem::take(&mut self.findings);
-        mark_groups(&mut findings, |span| self.text(span));
-        self.findings = findings;
+/// The files with findings whose text another one has as well, each with the first of that text.
+fn copied(report: &Report) -> FastMap<FileId, FileId> {
+    let files: BTreeSet<FileId> = report
+        .findings
+        .iter()
+        .map(|finding| finding.span.file)
+        .collect();
+    let mut by_text: FastMap<u64, Vec<FileId>> = FastMap::default();
+    for file in files {
+        if let Some(source) = report.source(file) {
+            by_text.entry(source.hash).or_default().push(file);
+        }
     }
-
-    fn text(&self, span: Span) -> Option<String> {
-        Some(self.source(span.file)?.document.slice(span.range))
-    }
+    let several = by_text.into_values().filter(|files| files.len() > 1);
+    several
+        .flat_map(|files| {
+            let first = files.first().copied();
+            files
+                .into_iter()
+                .filter_map(move |file| Some((file, first?)))
+        })
+        .collect()
 }
 
 /// Mark the places of one defect for an editor. There every file is looked at by itself: the first place in a file
 /// keeps its severity and names the others, and the others become hints that lead to the first.
-fn mark_groups(findings: &mut [Finding], text: impl Fn(Span) -> Option<String>) {
+pub fn mark_groups(report: &mut Report) {
+    let mut findings = std::mem::take(&mut report.findings);
+    mark(&mut findings, |span| text(report, span));
+    report.findings = findings;
+}
+
+fn text(report: &Report, span: Span) -> Option<String> {
+    Some(report.source(span.file)?.document.slice(span.range))
+}
+
+/// The same for findings, of whose places `text` gives the texts.
+fn mark(findings: &mut [Finding], text: impl Fn(Span) -> Option<String>) {
     for group in groups(findings, None, text) {
         let Some((&first, others)) = group.split_first() else {
             continue;
@@ -305,29 +303,27 @@ fn place_of(edit: &Edit) -> (FileId, u32, u32) {
     (file, range.start, range.end)
 }
 
-impl Report {
-    /// Say at the errors that left out parts of robots which rules did not run because of them, once a robot.
-    pub fn mark_cuts(&mut self) {
-        for (robot, cut) in &self.partial {
-            let finding = cut
-                .cause(&self.findings)
-                .and_then(|number| self.findings.get_mut(number));
-            let (Some(finding), Some(sentence)) = (finding, cut.sentence(robot)) else {
-                continue;
-            };
-            finding.help = Some(match finding.help.take() {
-                // one robot is enough where several suffer
-                Some(help) if help.contains("is not checked in full") => help,
-                Some(help) => format!("{help}\n{sentence}"),
-                None => sentence,
-            });
-        }
+/// Say at the errors that left out parts of robots which rules did not run because of them, once a robot.
+pub fn mark_cuts(report: &mut Report) {
+    for (robot, cut) in &report.partial {
+        let finding = cut
+            .cause(&report.findings)
+            .and_then(|number| report.findings.get_mut(number));
+        let (Some(finding), Some(sentence)) = (finding, cut.sentence(robot)) else {
+            continue;
+        };
+        finding.help = Some(match finding.help.take() {
+            // one robot is enough where several suffer
+            Some(help) if help.contains("is not checked in full") => help,
+            Some(help) => format!("{help}\n{sentence}"),
+            None => sentence,
+        });
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{join, mark_groups};
+    use super::{join, mark};
     use base::{FileId, Span, TextRange};
     use rules::{Edit, Finding, Fix, Safety, Severity, by_code};
 
@@ -364,7 +360,7 @@ mod tests {
             .map(|&(file, start)| finding(file, start))
             .collect();
         let own = findings[0].severity;
-        mark_groups(&mut findings, |_| None);
+        mark(&mut findings, |_| None);
         let marked: Vec<bool> = findings
             .iter()
             .map(|finding| finding.severity == Severity::Hint)
@@ -403,12 +399,10 @@ mod tests {
         };
         let session = crate::Session::new(&tree.environment(&[]), setup).unwrap();
         let paths = vec![tree.root().to_owned()];
-        let report = session
-            .check(&crate::CheckOptions {
-                paths,
-                ..crate::CheckOptions::default()
-            })
-            .grouped();
+        let report = super::grouped(session.check(&crate::CheckOptions {
+            paths,
+            ..crate::CheckOptions::default()
+        }));
         let found = report
             .findings
             .iter()

@@ -58,20 +58,8 @@ struct JsonEdit<'a> {
     content: &'a str,
 }
 
-impl Report {
-    /// All findings as one array of JSON, as `check --format json` prints it; files below `cwd` by their relative paths.
-    pub fn to_json(&self, cwd: &Path) -> String {
-        findings(self, cwd)
-    }
-
-    /// One finding of it.
-    pub fn finding_to_json(&self, finding: &Finding, cwd: &Path) -> serde_json::Value {
-        let place = |span: Span| place(self, span, cwd);
-        serde_json::to_value(object(finding, &place)).unwrap_or_default()
-    }
-}
-
-fn findings(report: &Report, cwd: &Path) -> String {
+/// All findings as one array of JSON, as `check --format json` prints it; files below `cwd` by their relative paths.
+pub fn to_json(report: &Report, cwd: &Path) -> String {
     let place = |span: Span| place(report, span, cwd);
     let list: Vec<JsonFinding<'_>> = report
         .findings
@@ -80,6 +68,12 @@ fn findings(report: &Report, cwd: &Path) -> String {
         .collect();
     let text = serde_json::to_string_pretty(&list).unwrap_or_else(|_| "[]".to_owned());
     format!("{text}\n")
+}
+
+/// One finding of a report as JSON.
+pub fn finding_to_json(report: &Report, finding: &Finding, cwd: &Path) -> serde_json::Value {
+    let place = |span: Span| place(report, span, cwd);
+    serde_json::to_value(object(finding, &place)).unwrap_or_default()
 }
 
 fn object<'a>(finding: &'a Finding, place: &dyn Fn(Span) -> JsonLocation) -> JsonFinding<'a> {

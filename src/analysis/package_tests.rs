@@ -1,5 +1,5 @@
 //! Packages as they are installed, and packages that are not there, seen from a whole check.
-use super::{CheckOptions, Report, Session, Setup};
+use super::{CheckOptions, Report, Session, Setup, grouped};
 use rules::Severity;
 use vfs::testing::Tree;
 
@@ -7,13 +7,11 @@ fn check(tree: &Tree, changed: &[&str]) -> Report {
     let session = Session::new(&tree.environment(&[]), Setup::default()).unwrap();
     let changed = changed.iter().map(|name| tree.path(name)).collect();
     let paths = vec![tree.root().to_owned()];
-    session
-        .check(&CheckOptions {
-            paths,
-            changed,
-            ..CheckOptions::default()
-        })
-        .grouped()
+    grouped(session.check(&CheckOptions {
+        paths,
+        changed,
+        ..CheckOptions::default()
+    }))
 }
 
 /// Findings of a rule: severity, message, and the number of further places.

@@ -11,6 +11,7 @@ use super::candidates::Candidates;
 use super::check_task::{CheckReason, CheckTask};
 use super::plan::apply;
 use super::run_cache::{RunResult, RunSetting, Runs};
+use super::runs::run_once;
 use super::session::Session;
 use super::walk::is_description;
 use base::{CancelFlag, TextRange};
@@ -273,8 +274,8 @@ impl<'a> Trial<'a> {
     }
 
     pub fn run(&self, task: &CheckTask, vfs: &Vfs, setting: &RunSetting) -> Arc<RunResult> {
-        self.runs
-            .get(self.session, vfs, &self.effort.cancel, task, setting)
+        let (runs, cancel) = (&self.runs, &self.effort.cancel);
+        run_once(runs, self.session, vfs, cancel, task, setting)
     }
 
     /// Further ways to expand a robot that may show what an edit does.

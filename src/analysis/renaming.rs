@@ -92,179 +92,191 @@ impl Session {
         roots
             .iter()
             .map(task_of)
-            .find_map(|task| trial.obstacle(&task, name, &mut left))
+            .find_map(|task| obstacle(&trial, &task, name, &mut left))
     }
 }
 
-impl Trial<'_> {
-    /// Whether a robot would be another one, and under which condition.
-    fn obstacle(&self, task: &CheckTask, name: NewName<'_>, left: &mut usize) -> Option<Obstacle> {
-        let plain = RunSetting {
-            args: task.args.clone(),
-            forced: Vec::new(),
-        };
-        let before = self.run(task, &self.session.vfs, &plain);
-        if let Err(difference) = self.is_same(&before, &self.renamed_run(task, &plain, name), name)
-        {
-            return self.found(task, None, difference);
-        }
-        for (path, at, forced) in self.conditions(&before) {
-            if *left == 0 || self.effort.cancel.is_cancelled() {
-                break;
-            }
-            let taken = forced.last().is_some_and(|forced| forced.taken);
-            let setting = RunSetting {
-                args: task.args.clone(),
-                forced,
-            };
-            let forced = self.run(task, &self.session.vfs, &setting);
-            // what changes nothing is what was proved
-            if forced.text == before.text && forced.failures == before.failures {
-                continue;
-            }
-            *left -= 1;
-            if let Err(difference) =
-                self.is_same(&forced, &self.renamed_run(task, &setting, name), name)
-            {
-                return self.found(task, Some((path, at, taken)), difference);
-            }
-        }
-        for setting in switched(task, &before) {
-            let before = self.run(task, &self.session.vfs, &setting);
-            if let Err(difference) =
-                self.is_same(&before, &self.renamed_run(task, &setting, name), name)
-            {
-                return self.found(task, None, difference);
-            }
-        }
-        None
+/// Whether a robot would be another one, and under which condition.
+fn obstacle(
+    trial: &Trial<'_>,
+    task: &CheckTask,
+    name: NewName<'_>,
+    left: &mut usize,
+) -> Option<Obstacle> {
+    let plain = RunSetting {
+        args: task.args.clone(),
+        forced: Vec::new(),
+    };
+    let before = trial.run(task, &trial.session.vfs, &plain);
+    if let Err(difference) = is_same(
+        trial,
+        &before,
+        &renamed_run(trial, task, &plain, name),
+        name,
+    ) {
+        return found(trial, task, None, difference);
     }
-
-    /// The obstacle that a robot is; none when the search was given up, which may be all that differs.
-    fn found(
-        &self,
-        task: &CheckTask,
-        condition: Option<(PathBuf, u32, bool)>,
-        difference: Option<String>,
-    ) -> Option<Obstacle> {
-        let obstacle = Obstacle {
-            robot: task.file.clone(),
-            condition,
-            difference,
-        };
-        (!self.effort.cancel.is_cancelled()).then_some(obstacle)
-    }
-
-    /// What a setting gives afterwards.
-    fn renamed_run(
-        &self,
-        task: &CheckTask,
-        setting: &RunSetting,
-        name: NewName<'_>,
-    ) -> Arc<RunResult> {
-        let moved = |forced: &Forced| Forced {
-            at: self.moved(forced),
-            ..forced.clone()
-        };
-        let args = setting.args.iter().map(|(given, value)| match name {
-            NewName::Argument { old, new } if given == old => (new.to_owned(), value.clone()),
-            _ => (given.clone(), value.clone()),
-        });
+    for (path, at, forced) in conditions(trial, &before) {
+        if *left == 0 || trial.effort.cancel.is_cancelled() {
+            break;
+        }
+        let taken = forced.last().is_some_and(|forced| forced.taken);
         let setting = RunSetting {
-            args: args.collect(),
-            forced: setting.forced.iter().map(moved).collect(),
+            args: task.args.clone(),
+            forced,
         };
-        self.run(task, &self.after, &setting)
+        let forced = trial.run(task, &trial.session.vfs, &setting);
+        // what changes nothing is what was proved
+        if forced.text == before.text && forced.failures == before.failures {
+            continue;
+        }
+        *left -= 1;
+        if let Err(difference) = is_same(
+            trial,
+            &forced,
+            &renamed_run(trial, task, &setting, name),
+            name,
+        ) {
+            return found(trial, task, Some((path, at, taken)), difference);
+        }
     }
+    for setting in switched(task, &before) {
+        let before = trial.run(task, &trial.session.vfs, &setting);
+        if let Err(difference) = is_same(
+            trial,
+            &before,
+            &renamed_run(trial, task, &setting, name),
+            name,
+        ) {
+            return found(trial, task, None, difference);
+        }
+    }
+    None
+}
 
-    /// That a robot is the same before and after, or is refused for the same reasons; else what is different, if that is known.
-    fn is_same(
-        &self,
-        before: &RunResult,
-        after: &RunResult,
-        name: NewName<'_>,
-    ) -> Result<(), Option<String>> {
-        if before.refused || after.refused {
-            let moved = before.failures.iter().map(|(code, path, at)| {
-                let changed = self.changed.iter().find(|changed| *changed.path == **path);
-                (
-                    *code,
-                    path.clone(),
-                    changed.map_or(*at, |changed| changed.moved(*at)),
-                )
-            });
-            let is_same =
-                before.refused && after.refused && moved.eq(after.failures.iter().cloned());
-            return is_same.then_some(()).ok_or(None);
-        }
-        if before.text == after.text {
-            return Ok(());
-        }
-        match name {
-            NewName::Robot { old, new } => {
-                match other_difference(&before.text, &after.text, old, new) {
-                    Some(difference) => Err(Some(difference)),
-                    None => Ok(()),
-                }
+/// The obstacle that a robot is; none when the search was given up, which may be all that differs.
+fn found(
+    trial: &Trial<'_>,
+    task: &CheckTask,
+    condition: Option<(PathBuf, u32, bool)>,
+    difference: Option<String>,
+) -> Option<Obstacle> {
+    let obstacle = Obstacle {
+        robot: task.file.clone(),
+        condition,
+        difference,
+    };
+    (!trial.effort.cancel.is_cancelled()).then_some(obstacle)
+}
+
+/// What a setting gives afterwards.
+fn renamed_run(
+    trial: &Trial<'_>,
+    task: &CheckTask,
+    setting: &RunSetting,
+    name: NewName<'_>,
+) -> Arc<RunResult> {
+    let moved = |forced: &Forced| Forced {
+        at: trial.moved(forced),
+        ..forced.clone()
+    };
+    let args = setting.args.iter().map(|(given, value)| match name {
+        NewName::Argument { old, new } if given == old => (new.to_owned(), value.clone()),
+        _ => (given.clone(), value.clone()),
+    });
+    let setting = RunSetting {
+        args: args.collect(),
+        forced: setting.forced.iter().map(moved).collect(),
+    };
+    trial.run(task, &trial.after, &setting)
+}
+
+/// That a robot is the same before and after, or is refused for the same reasons; else what is different, if that is known.
+fn is_same(
+    trial: &Trial<'_>,
+    before: &RunResult,
+    after: &RunResult,
+    name: NewName<'_>,
+) -> Result<(), Option<String>> {
+    if before.refused || after.refused {
+        let moved = before.failures.iter().map(|(code, path, at)| {
+            let changed = trial.changed.iter().find(|changed| *changed.path == **path);
+            (
+                *code,
+                path.clone(),
+                changed.map_or(*at, |changed| changed.moved(*at)),
+            )
+        });
+        let is_same = before.refused && after.refused && moved.eq(after.failures.iter().cloned());
+        return is_same.then_some(()).ok_or(None);
+    }
+    if before.text == after.text {
+        return Ok(());
+    }
+    match name {
+        NewName::Robot { old, new } => {
+            match other_difference(&before.text, &after.text, old, new) {
+                Some(difference) => Err(Some(difference)),
+                None => Ok(()),
             }
-            _ => match same_robot(&before.text, &after.text) {
-                Some(true) => Ok(()),
-                _ => Err(None),
-            },
         }
+        _ => match same_robot(&before.text, &after.text) {
+            Some(true) => Ok(()),
+            _ => Err(None),
+        },
     }
+}
 
-    /// The conditions that may matter, each taken and not, those around it taken: file, line, what is decided. They are
-    /// those of the changed files, and where such a file takes no part, those around includes.
-    fn conditions(&self, before: &RunResult) -> Vec<(PathBuf, u32, Vec<Forced>)> {
-        let is_missing = self
-            .changed
+/// The conditions that may matter, each taken and not, those around it taken: file, line, what is decided. They are
+/// those of the changed files, and where such a file takes no part, those around includes.
+fn conditions(trial: &Trial<'_>, before: &RunResult) -> Vec<(PathBuf, u32, Vec<Forced>)> {
+    let is_missing = trial
+        .changed
+        .iter()
+        .any(|changed| !before.reads(&changed.path));
+    let changed = trial
+        .changed
+        .iter()
+        .map(|changed| changed.path.to_path_buf());
+    let mut paths: Vec<PathBuf> = changed.collect();
+    paths.extend(
+        before
+            .files()
             .iter()
-            .any(|changed| !before.reads(&changed.path));
-        let changed = self
-            .changed
-            .iter()
-            .map(|changed| changed.path.to_path_buf());
-        let mut paths: Vec<PathBuf> = changed.collect();
-        paths.extend(
-            before
-                .files()
+            .filter(|path| is_missing && !is_changed(trial, path))
+            .cloned(),
+    );
+    let mut found = Vec::new();
+    for path in paths {
+        let Ok(source) = trial.session.vfs.document(&path) else {
+            continue;
+        };
+        for range in conditions_of(&source.document, !is_changed(trial, &path)) {
+            let line = source
+                .document
+                .line_col(range.start, base::Encoding::Utf8)
+                .line
+                + 1;
+            let around = enclosing(&source.document, range, &CONDITIONS);
+            let outer: Vec<Forced> = around
                 .iter()
-                .filter(|path| is_missing && !self.is_changed(path))
-                .cloned(),
-        );
-        let mut found = Vec::new();
-        for path in paths {
-            let Ok(source) = self.session.vfs.document(&path) else {
-                continue;
-            };
-            for range in conditions_of(&source.document, !self.is_changed(&path)) {
-                let line = source
-                    .document
-                    .line_col(range.start, base::Encoding::Utf8)
-                    .line
-                    + 1;
-                let around = enclosing(&source.document, range, &CONDITIONS);
-                let outer: Vec<Forced> = around
+                .map(|range| forced(&path, range.start, true))
+                .collect();
+            for taken in [true, false] {
+                let own = outer
                     .iter()
-                    .map(|range| forced(&path, range.start, true))
+                    .cloned()
+                    .chain([forced(&path, range.start, taken)])
                     .collect();
-                for taken in [true, false] {
-                    let own = outer
-                        .iter()
-                        .cloned()
-                        .chain([forced(&path, range.start, taken)])
-                        .collect();
-                    found.push((path.clone(), line, own));
-                }
+                found.push((path.clone(), line, own));
             }
         }
-        found
     }
+    found
+}
 
-    fn is_changed(&self, path: &Path) -> bool {
-        self.changed.iter().any(|changed| *changed.path == *path)
-    }
+fn is_changed(trial: &Trial<'_>, path: &Path) -> bool {
+    trial.changed.iter().any(|changed| *changed.path == *path)
 }
 
 /// A robot with each of its switches turned over.

@@ -21,6 +21,29 @@ impl RootConfig {
             preset: None,
         }
     }
+
+    /// For people: the name of the file and the arguments.
+    pub fn label(&self) -> String {
+        label(short_name(&self.file), &self.args)
+    }
+}
+
+/// The name of a file without its folder.
+pub(super) fn short_name(file: &Path) -> String {
+    file.file_name()
+        .unwrap_or_default()
+        .to_string_lossy()
+        .into_owned()
+}
+
+/// A root with its arguments, as one writes them on a command line; later arguments win.
+pub(super) fn label(mut text: String, args: &[(String, String)]) -> String {
+    for (number, (name, value)) in args.iter().enumerate() {
+        if !args.iter().skip(number + 1).any(|(later, _)| later == name) {
+            text.push_str(&format!(" {name}:={value}"));
+        }
+    }
+    text
 }
 
 /// Why a root was chosen.
@@ -63,4 +86,16 @@ pub struct Context {
     pub reason: RootReason,
     /// All roots that reach the file, with their distance in includes.
     pub candidates: Vec<(RootConfig, u32)>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::label;
+
+    #[test]
+    fn the_last_value_of_an_argument_counts() {
+        let args = [("a", "1"), ("b", "2"), ("a", "3")]
+            .map(|(name, value)| (name.to_owned(), value.to_owned()));
+        assert_eq!(label("r.xacro".to_owned(), &args), "r.xacro b:=2 a:=3");
+    }
 }

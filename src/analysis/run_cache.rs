@@ -1,5 +1,5 @@
 //! Expansions that were made, kept while the files that they read stay the same.
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 
 use ecow::EcoString;
@@ -72,5 +72,22 @@ impl RunResult {
         self.texts
             .iter()
             .all(|(path, hash)| vfs.document_hash(path) == Some(*hash))
+    }
+
+    /// The descriptions it is made of.
+    pub fn files(&self) -> &[PathBuf] {
+        &self.files
+    }
+
+    /// Whether a description takes part.
+    pub fn reads(&self, path: &Path) -> bool {
+        self.files.iter().any(|file| file == path)
+    }
+
+    /// Whether a macro was called that stands in a place.
+    pub fn calls(&self, (path, range): &(PathBuf, TextRange)) -> bool {
+        self.called
+            .iter()
+            .any(|(file, place)| file == path && range.contains_range(*place))
     }
 }

@@ -1,5 +1,5 @@
 //! Expansions that proofs compare, kept while the files that they read stay the same.
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::check_task::CheckTask;
@@ -14,61 +14,65 @@ use expand::{
 };
 use vfs::Vfs;
 
-impl RunResult {
-    /// Expand a robot from the files that `vfs` shows.
-    fn of(
-        session: &Session,
-        vfs: &Vfs,
-        cancel: &CancelFlag,
-        task: &CheckTask,
-        setting: &RunSetting,
-    ) -> Self {
-        let Sources { packages, env, .. } = run_task::sources(session);
-        let RunSetting { args, forced } = setting.clone();
-        let request = Request {
-            probe: false,
-            args,
-            forced,
-            ..run_task::request(session, cancel, task)
-        };
-        let expansion = expand(Sources { vfs, packages, env }, &request);
-        let is_broken = |file: &FileUse| !file.source.document.errors().is_empty();
-        let texts = expansion.record.iter().filter_map(|read| match read {
-            Read::File(path, hash) => Some((path.clone(), *hash)),
-            _ => None,
-        });
-        Self {
-            refused: expansion.has_errors()
-                || expansion.root_error.is_some()
-                || expansion.files.iter().any(is_broken),
-            failures: failures(&expansion),
-            called: called(&expansion),
-            files: expansion
-                .files
-                .iter()
-                .map(|file| file.source.path.to_path_buf())
-                .collect(),
-            texts: texts.collect(),
-            text: write(&expansion.tree, "").text,
-            arguments: expansion.arguments,
-        }
+/// A robot expanded from the files that `vfs` shows. It is made again only when one of them has another text: packages
+/// and folders are taken to stay as they are.
+pub(super) fn run_once(
+    runs: &Runs,
+    session: &Session,
+    vfs: &Vfs,
+    cancel: &CancelFlag,
+    task: &CheckTask,
+    setting: &RunSetting,
+) -> Arc<RunResult> {
+    let key = (task.file.clone(), setting.clone());
+    let known = locked(&runs.0).by_key.get(&key).cloned();
+    let known: Vec<_> = known.unwrap_or_default();
+    if let Some(run) = known.into_iter().find(|run| run.is_current(vfs)) {
+        return run;
     }
-
-    /// The descriptions it is made of.
-    pub fn files(&self) -> &[PathBuf] {
-        &self.files
+    let run = Arc::new(run(session, vfs, cancel, task, setting));
+    if !cancel.is_cancelled() {
+        locked(&runs.0).add(key, run.clone());
     }
+    run
+}
 
-    /// Whether a description takes part.
-    pub fn reads(&self, path: &Path) -> bool {
-        self.files.iter().any(|file| file == path)
-    }
-
-    /// Whether a macro was called that stands in a place.
-    pub fn calls(&self, (path, range): &(PathBuf, TextRange)) -> bool {
-        self.called
+/// Expand a robot from the files that `vfs` shows.
+fn run(
+    session: &Session,
+    vfs: &Vfs,
+    cancel: &CancelFlag,
+    task: &CheckTask,
+    setting: &RunSetting,
+) -> RunResult {
+    let Sources { packages, env, .. } = run_task::sources(session);
+    let RunSetting { args, forced } = setting.clone();
+    let request = Request {
+        probe: false,
+        args,
+        forced,
+        ..run_task::request(session, cancel, task)
+    };
+    let expansion = expand(Sources { vfs, packages, env }, &request);
+    let is_broken = |file: &FileUse| !file.source.document.errors().is_empty();
+    let texts = expansion.record.iter().filter_map(|read| match read {
+        Read::File(path, hash) => Some((path.clone(), *hash)),
+        _ => None,
+    });
+    RunResult {
+        refused: expansion.has_errors()
+            || expansion.root_error.is_some()
+            || expansion.files.iter().any(is_broken),
+        failures: failures(&expansion),
+        called: called(&expansion),
+        files: expansion
+            .files
             .iter()
-            .any(|(file, place)| file == path && range.contains_range(*place))
+            .map(|file| file.source.path.to_path_buf())
+            .collect(),
+        texts: texts.collect(),
+        text: write(&expansion.tree, "").text,
+        arguments: expansion.arguments,
     }
 }
 
@@ -106,29 +110,4 @@ fn called(expansion: &Expansion) -> Vec<(PathBuf, TextRange)> {
             Some((file.source.path.to_path_buf(), range))
         })
         .collect()
-}
-
-impl Runs {
-    /// A robot expanded from the files that `vfs` shows. It is made again only when one of them has another text: packages
-    /// and folders are taken to stay as they are.
-    pub fn get(
-        &self,
-        session: &Session,
-        vfs: &Vfs,
-        cancel: &CancelFlag,
-        task: &CheckTask,
-        setting: &RunSetting,
-    ) -> Arc<RunResult> {
-        let key = (task.file.clone(), setting.clone());
-        let known = locked(&self.0).by_key.get(&key).cloned();
-        let known: Vec<_> = known.unwrap_or_default();
-        if let Some(run) = known.into_iter().find(|run| run.is_current(vfs)) {
-            return run;
-        }
-        let run = Arc::new(RunResult::of(session, vfs, cancel, task, setting));
-        if !cancel.is_cancelled() {
-            locked(&self.0).add(key, run.clone());
-        }
-        run
-    }
 }

@@ -332,7 +332,7 @@ impl CheckRun<'_> {
         let report = if wants_all(self.args) {
             report
         } else {
-            report.grouped()
+            analysis::grouped(report)
         };
         match self.args.format {
             OutputFormat::Text => self.draw(&report, done, &could, io),
@@ -400,7 +400,7 @@ impl CheckRun<'_> {
             &self.env.cwd,
         );
         match self.args.format {
-            OutputFormat::Json => io.out(&report.to_json(cwd)),
+            OutputFormat::Json => io.out(&analysis::to_json(report, cwd)),
             OutputFormat::Sarif => io.out(&sarif::document(report, cwd)),
             OutputFormat::Github => io.out(&services::github(report, cwd, hints)),
             OutputFormat::Gitlab => io.out(&services::gitlab(report, cwd, hints)),

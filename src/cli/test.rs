@@ -53,7 +53,9 @@ pub(super) fn run(args: &TestArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
         filter: args.filter.clone(),
         update: args.update,
     };
-    let tests = watched(io, &options.check.progress, || session.test(&options));
+    let tests = watched(io, &options.check.progress, || {
+        analysis::test(&session, &options)
+    });
     let code = Runner {
         args,
         session: &session,
@@ -128,7 +130,7 @@ impl Runner<'_> {
     }
 
     fn name(&self, case: &TestCase) -> String {
-        self.session.test_name(&case.root)
+        analysis::test_name(self.session, &case.root)
     }
 
     fn failures(&self, case: &TestCase) -> &[Finding] {
@@ -244,7 +246,7 @@ impl Runner<'_> {
                 "arguments": args,
                 "passed": case.failures.is_empty(),
                 "expectations": case.expectations,
-                "failures": failures.map(|found| self.tests.report.finding_to_json(found, &self.env.cwd)).collect::<Value>(),
+                "failures": failures.map(|found| analysis::finding_to_json(&self.tests.report, found, &self.env.cwd)).collect::<Value>(),
             })
         };
         self.tests.cases.iter().map(case).collect()

@@ -81,8 +81,8 @@ pub fn found(
     let (doubles, checked_files): (Vec<PathBuf>, Vec<PathBuf>) =
         open.partition(|path| state.installed.source_of_double(path).is_some());
     let mut report = checked(state, &checked_files, cause, cancel)?;
-    report.mark_groups();
-    report.mark_cuts();
+    analysis::mark_groups(&mut report);
+    analysis::mark_cuts(&mut report);
     let mut found = spread(state, &report);
     for path in checked_files.into_iter().chain(doubles) {
         found.entry(path).or_default();

@@ -124,9 +124,9 @@ impl Bench {
         let report = if call.no_group {
             report
         } else {
-            report.grouped()
+            analysis::grouped(report)
         };
-        Ok(report.to_json(&self.env.cwd))
+        Ok(analysis::to_json(&report, &self.env.cwd))
     }
 
     fn fix(&self, call: &CheckCall) -> Result<Value, String> {

@@ -2,6 +2,8 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use ecow::EcoString;
+
 use super::super::root_analysis::RootAnalysis;
 use super::super::root_config::RootConfig;
 use super::super::session::Session;
@@ -103,6 +105,26 @@ impl Beside {
             ParsedBeside::Settings(settings) => Some(settings),
             ParsedBeside::Srdf(..) => None,
         }
+    }
+
+    /// The different names of links, joints and groups.
+    pub(super) fn names(&self) -> Vec<(project::ProjectNameKind, EcoString)> {
+        let mut found: Vec<_> = match (self.srdf(), self.settings()) {
+            (Some((_, srdf)), _) => srdf
+                .names()
+                .into_iter()
+                .filter_map(|(text, kind, _)| Some((kind, text.name()?.clone())))
+                .collect(),
+            (_, Some(settings)) => settings
+                .names()
+                .into_iter()
+                .map(|(name, kind)| (kind, name.name.clone()))
+                .collect(),
+            _ => Vec::new(),
+        };
+        found.sort_unstable_by(|(a, one), (b, two)| (*a as u8, one).cmp(&(*b as u8, two)));
+        found.dedup();
+        found
     }
 }
 

@@ -2,8 +2,6 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use ecow::EcoString;
-
 use super::super::root_analysis::RootAnalysis;
 use super::super::session::Session;
 use super::files::{Beside, Robots};
@@ -194,28 +192,6 @@ fn likeness(own: &Beside, names: &RobotNames) -> (u32, f64) {
             f64::from(known) / f64::from(all)
         },
     )
-}
-
-impl Beside {
-    /// The different names of links, joints and groups.
-    fn names(&self) -> Vec<(project::ProjectNameKind, EcoString)> {
-        let mut found: Vec<_> = match (self.srdf(), self.settings()) {
-            (Some((_, srdf)), _) => srdf
-                .names()
-                .into_iter()
-                .filter_map(|(text, kind, _)| Some((kind, text.name()?.clone())))
-                .collect(),
-            (_, Some(settings)) => settings
-                .names()
-                .into_iter()
-                .map(|(name, kind)| (kind, name.name.clone()))
-                .collect(),
-            _ => Vec::new(),
-        };
-        found.sort_unstable_by(|(a, one), (b, two)| (*a as u8, one).cmp(&(*b as u8, two)));
-        found.dedup();
-        found
-    }
 }
 
 #[cfg(test)]

@@ -1,14 +1,14 @@
 //! One robot with one set of arguments, expanded and compared with what is expected of it.
-use std::path::Path;
 use std::sync::Arc;
 
 use super::super::configs::Settings;
 use super::super::root_config::RootConfig;
 use super::super::run_task;
 use super::super::session::Session;
-use super::evaluate::ExpectationContext;
+use super::context::ExpectationContext;
+use super::evaluate::evaluate;
+use super::outcome::{RULE, TestOptions};
 use super::snapshot::Snapshot;
-use super::{RULE, TestOptions};
 use base::{Span, TextRange};
 use expand::{Expansion, Request, expand};
 use model::{Kinematics, Robot};
@@ -70,12 +70,12 @@ impl Case {
             let kinematics = Kinematics::of(&robot);
             for (_, expected) in &applying {
                 let mut evaluation = ExpectationContext::new(
-                    self,
+                    &self.root,
                     session,
                     (&expansion, &robot, &kinematics),
                     expected,
                 );
-                evaluation.run(options.update);
+                evaluate(&mut evaluation, options.update);
                 findings.append(&mut evaluation.findings);
                 snapshots.append(&mut evaluation.snapshots);
             }
@@ -186,16 +186,6 @@ impl Case {
             message: "included here".to_owned(),
             is_call: true,
         }));
-    }
-
-    /// The name that xacro would write into the banner when it runs in the folder of the configuration.
-    pub(super) fn banner_name(&self, folder: &Path) -> String {
-        vfs::slashed(
-            self.root
-                .file
-                .strip_prefix(folder)
-                .unwrap_or(&self.root.file),
-        )
     }
 }
 

@@ -37,11 +37,14 @@ fn test(root: &str, files: &[(&str, &str)], update: bool) -> (Tree, Tests) {
         paths: vec![tree.root().to_owned()],
         ..CheckOptions::default()
     };
-    let tests = session.unwrap().test(&TestOptions {
-        check,
-        filter: None,
-        update,
-    });
+    let tests = crate::test(
+        &session.unwrap(),
+        &TestOptions {
+            check,
+            filter: None,
+            update,
+        },
+    );
     (tree, tests)
 }
 
@@ -308,11 +311,14 @@ fn links_out_of_the_workspace() {
             paths: vec![tree.root().to_owned()],
             ..CheckOptions::default()
         };
-        let tests = session.test(&TestOptions {
-            check,
-            filter: None,
-            update: true,
-        });
+        let tests = crate::test(
+            &session,
+            &TestOptions {
+                check,
+                filter: None,
+                update: true,
+            },
+        );
         assert!(
             tests.updates.is_empty() && tests.report.findings.len() == 1,
             "{name}"
