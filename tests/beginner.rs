@@ -218,7 +218,7 @@ fn session(folder: &Path) -> (Session, CheckOptions) {
 
 fn check(folder: &Path) -> Report {
     let (session, options) = session(folder);
-    analysis::grouped(session.check(&options))
+    analysis::grouped(analysis::check(&session, &options))
 }
 
 /// `error RULE FILE:LINE` for each finding of a severity, in order.
@@ -322,7 +322,8 @@ fn fixes_write_what_is_said_and_bring_no_error() {
         for most in [Safety::Safe, Safety::Unsafe] {
             let folder = plant(&mistake, "fixed");
             let (session, options) = session(&folder);
-            let fixed = session.fix(
+            let fixed = analysis::fix(
+                &session,
                 &options,
                 FixOptions {
                     most,

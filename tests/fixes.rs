@@ -13,7 +13,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use xacro_lsp::analysis::{CheckOptions, FixOptions, Fixed, Overrides, Report, Session, Setup};
+use xacro_lsp::analysis::{
+    self, CheckOptions, FixOptions, Fixed, Overrides, Report, Session, Setup,
+};
 use xacro_lsp::cli::{self, Io};
 use xacro_lsp::rules::{self, Finding, Safety, Severity};
 use xacro_lsp::vfs::Environment;
@@ -114,7 +116,8 @@ fn fix(folder: &Path, file: &str, extend_select: Option<Vec<String>>, most: Safe
         paths: vec![file.into()],
         ..CheckOptions::default()
     };
-    let fixed = session.fix(
+    let fixed = analysis::fix(
+        &session,
         &options,
         FixOptions {
             most,
@@ -391,9 +394,10 @@ fn findings_that_are_not_shown_stay() {
         most: Safety::Safe,
         shown: Severity::Warning,
     };
-    let fixed = session.fix(&options, how);
+    let fixed = analysis::fix(&session, &options, how);
     assert_eq!((fixed.count, fixed.hidden), (0, 1));
-    let fixed = session.fix(
+    let fixed = analysis::fix(
+        &session,
         &options,
         FixOptions {
             shown: Severity::Info,

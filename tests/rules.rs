@@ -16,7 +16,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use xacro_lsp::analysis::{CheckOptions, Overrides, Position, Report, Session, Setup};
+use xacro_lsp::analysis::{self, CheckOptions, Overrides, Position, Report, Session, Setup};
 use xacro_lsp::rules::{self, Category, Rule, Severity};
 use xacro_lsp::vfs::Environment;
 
@@ -186,7 +186,7 @@ fn report(rule: &Rule, folder: &Path, file: &Path) -> Report {
         paths: vec![path.to_owned()],
         ..CheckOptions::default()
     };
-    let report = session.check(&options);
+    let report = analysis::check(&session, &options);
     assert!(report.unreadable.is_empty());
     report
 }

@@ -23,7 +23,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use xacro_lsp::analysis::{CheckOptions, Overrides, Session, Setup};
+use xacro_lsp::analysis::{self, CheckOptions, Overrides, Session, Setup};
 use xacro_lsp::rules::{self, Finding};
 use xacro_lsp::vfs::Environment;
 
@@ -180,12 +180,14 @@ fn findings(folder: &Path, paths: Vec<PathBuf>) -> Vec<Finding> {
         ..Setup::default()
     };
     let session = Session::new(&env, setup).unwrap();
-    session
-        .check(&CheckOptions {
+    analysis::check(
+        &session,
+        &CheckOptions {
             paths,
             ..CheckOptions::default()
-        })
-        .findings
+        },
+    )
+    .findings
 }
 
 #[test]

@@ -40,10 +40,13 @@ fn found(files: &[(&str, &str)], rule: &str) -> Vec<(String, Severity)> {
         ..Setup::default()
     };
     let session = Session::new(&tree.environment(&[]), setup).unwrap();
-    let report = session.check(&CheckOptions {
-        paths: vec![path.clone()],
-        ..CheckOptions::default()
-    });
+    let report = crate::check(
+        &session,
+        &CheckOptions {
+            paths: vec![path.clone()],
+            ..CheckOptions::default()
+        },
+    );
     let findings = report
         .findings
         .iter()

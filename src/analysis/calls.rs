@@ -154,7 +154,7 @@ mod tests {
             paths: vec![tree.root().to_owned()],
             ..CheckOptions::default()
         };
-        let report = session.check(&options);
+        let report = crate::check(&session, &options);
         let found = report
             .findings
             .iter()

@@ -3,12 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 
-use super::change::Change;
 use super::check_task::CheckTask;
 use super::includes::{self, IncludeTargets};
 use super::lock::locked;
-use super::options::CheckOptions;
-use super::report::Report;
 use super::run_cache::Runs;
 use super::session::Session;
 use base::FastMap;
@@ -19,7 +16,7 @@ use vfs::SourceFile;
 #[derive(Default)]
 pub struct Candidates {
     /// The tasks of all files below folders.
-    tasks: Mutex<FastMap<Vec<PathBuf>, Arc<Vec<CheckTask>>>>,
+    pub(super) tasks: Mutex<FastMap<Vec<PathBuf>, Arc<Vec<CheckTask>>>>,
     /// What each file may include, by its path.
     reach: Mutex<FastMap<PathBuf, KnownIncludes>>,
     /// Robots expanded.
@@ -30,40 +27,6 @@ pub struct Candidates {
 type KnownIncludes = (Arc<SourceFile>, Arc<IncludeTargets>);
 
 impl Candidates {
-    /// The robots below folders that may read one of the changed files.
-    pub(super) fn reading(
-        &self,
-        session: &Session,
-        folders: Vec<PathBuf>,
-        changed: Vec<PathBuf>,
-    ) -> Vec<CheckTask> {
-        let mut tasks = (*self.below(session, &folders)).clone();
-        let options = CheckOptions {
-            changed,
-            ..CheckOptions::default()
-        };
-        let Some(change) = Change::of(session, &options) else {
-            return tasks;
-        };
-        tasks.extend(change.further(&tasks, &options.args));
-        change.reached(tasks, self)
-    }
-
-    /// The tasks of all files below folders.
-    fn below(&self, session: &Session, folders: &[PathBuf]) -> Arc<Vec<CheckTask>> {
-        let mut tasks = locked(&self.tasks);
-        if let Some(known) = tasks.get(folders) {
-            return known.clone();
-        }
-        let options = CheckOptions {
-            paths: folders.to_vec(),
-            ..CheckOptions::default()
-        };
-        let found = Arc::new(session.all_tasks(&options, &mut Report::default()));
-        tasks.insert(folders.to_vec(), found.clone());
-        found
-    }
-
     /// What a file may include, as its text is now; none when it cannot be read.
     pub(super) fn reach(&self, session: &Session, file: &Path) -> Option<Arc<IncludeTargets>> {
         let source = session.vfs.document(file).ok()?;

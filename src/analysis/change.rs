@@ -158,7 +158,7 @@ mod tests {
             changed,
             ..CheckOptions::default()
         };
-        let report = session.check(&options);
+        let report = crate::check(&session, &options);
         (report, options.progress.get().1)
     }
 

@@ -2,6 +2,7 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
+use super::declared::KnownArguments;
 use super::host::AnalysisHost;
 use super::launch_values::compared_words;
 use super::root_config::RootConfig;
@@ -187,7 +188,7 @@ impl AnalysisHost {
         let mut found = DescribedNames::new();
         for (name, default) in robots
             .iter()
-            .flat_map(|robot| self.session().known(robot).defaults())
+            .flat_map(|robot| KnownArguments::of(self.session(), robot).defaults())
         {
             if !name.contains('$') && !found.iter().any(|(known, _)| *known == name) {
                 let detail = default.map(|default| format!("default: `{default}`"));
@@ -202,7 +203,7 @@ impl AnalysisHost {
         let session = self.session();
         let mut found = DescribedNames::new();
         for robot in robots {
-            let known = session.known(robot);
+            let known = KnownArguments::of(session, robot);
             let declared = known.defaults().into_iter().filter(|(own, _)| own == name);
             for default in declared.filter_map(|(_, default)| default) {
                 let is_bool = ["true", "false"]

@@ -8,6 +8,7 @@ use indexmap::IndexSet;
 
 use super::host::AnalysisHost;
 use super::root_config::{Context, RootConfig, RootReason};
+use super::roots::variants;
 use base::{Span, TextRange};
 use vfs::SourceFile;
 use workspace::config::Variant;
@@ -27,7 +28,7 @@ impl AnalysisHost {
             preset: variant.preset,
         };
         roots
-            .flat_map(|root| self.session().variants(root, file))
+            .flat_map(|root| variants(&self.session().callers, root, file))
             .map(variant)
             .collect()
     }
@@ -177,7 +178,11 @@ impl AnalysisHost {
                         args,
                         preset,
                     };
-                    found.extend(session.variants(root, &file).into_iter().map(choice));
+                    found.extend(
+                        variants(&session.callers, root, &file)
+                            .into_iter()
+                            .map(choice),
+                    );
                 }
             }
         }

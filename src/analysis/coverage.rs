@@ -4,94 +4,96 @@ use std::path::{Path, PathBuf};
 use rayon::prelude::*;
 
 use super::check_task::{CheckReason, CheckTask};
+use super::generated::leave_out_copies;
 use super::includes::Included;
 use super::root_result::RootResult;
 use super::session::Session;
-use super::set_aside::leave_out_copies;
 use base::FastSet;
 
-impl Session {
-    /// Tasks in two parts: what has to be expanded whatever the others give, and what a robot may cover that
-    /// includes it.
-    pub(super) fn in_turns(&self, tasks: Vec<CheckTask>) -> (Vec<CheckTask>, Vec<CheckTask>) {
-        let included = self.statically_included(&tasks);
-        let waits =
-            |task: &CheckTask| task.reason == CheckReason::Walked && included.contains(&task.file);
-        let (later, first) = tasks.into_iter().partition(waits);
-        (first, later)
-    }
+/// Tasks in two parts: what has to be expanded whatever the others give, and what a robot may cover that
+/// includes it.
+pub(super) fn in_turns(
+    session: &Session,
+    tasks: Vec<CheckTask>,
+) -> (Vec<CheckTask>, Vec<CheckTask>) {
+    let included = statically_included(session, &tasks);
+    let waits =
+        |task: &CheckTask| task.reason == CheckReason::Walked && included.contains(&task.file);
+    let (later, first) = tasks.into_iter().partition(waits);
+    (first, later)
+}
 
-    /// The tasks that no robot among the results covers.
-    pub(super) fn uncovered(
-        &self,
-        tasks: Vec<CheckTask>,
-        results: &[RootResult],
-    ) -> Vec<CheckTask> {
-        let covered = self.covered_by_robots(results.iter());
-        let is_open = |task: &CheckTask| {
-            self.vfs
-                .identity(&task.file)
-                .is_none_or(|own| !covered.contains(&own))
-        };
-        tasks.into_iter().filter(is_open).collect()
-    }
+/// The tasks that no robot among the results covers.
+pub(super) fn uncovered(
+    session: &Session,
+    tasks: Vec<CheckTask>,
+    results: &[RootResult],
+) -> Vec<CheckTask> {
+    let covered = covered_by_robots(session, results.iter());
+    let is_open = |task: &CheckTask| {
+        session
+            .vfs
+            .identity(&task.file)
+            .is_none_or(|own| !covered.contains(&own))
+    };
+    tasks.into_iter().filter(is_open).collect()
+}
 
-    fn covered_by_robots<'a>(
-        &self,
-        results: impl Iterator<Item = &'a RootResult>,
-    ) -> FastSet<u128> {
-        let robots = results.filter(|result| result.is_robot);
-        let reads: FastSet<&PathBuf> = robots.flat_map(|result| &result.reads).collect();
-        reads
-            .into_iter()
-            .filter_map(|path| self.vfs.identity(path))
-            .collect()
-    }
+fn covered_by_robots<'a>(
+    session: &Session,
+    results: impl Iterator<Item = &'a RootResult>,
+) -> FastSet<u128> {
+    let robots = results.filter(|result| result.is_robot);
+    let reads: FastSet<&PathBuf> = robots.flat_map(|result| &result.reads).collect();
+    reads
+        .into_iter()
+        .filter_map(|path| session.vfs.identity(path))
+        .collect()
+}
 
-    /// Drop what another expansion covers.
-    pub(super) fn keep(&self, results: Vec<RootResult>) -> Vec<RootResult> {
-        let mut covered = self.covered_by_robots(results.iter());
-        let (mut kept, mut others): (Vec<RootResult>, Vec<RootResult>) = results
-            .into_iter()
-            .partition(|result| result.task.reason != CheckReason::Walked);
-        // robots first: what they include needs no look of its own
-        others.sort_by_key(|result| !result.is_robot);
-        for result in others {
-            let own = self.vfs.identity(&result.task.file).unwrap_or_default();
-            if covered.contains(&own) {
-                continue;
-            }
-            if !result.is_robot {
-                covered.extend(
-                    result
-                        .reads
-                        .iter()
-                        .filter_map(|path| self.vfs.identity(path)),
-                );
-            }
-            kept.push(result);
+/// Drop what another expansion covers.
+pub(super) fn without_covered(session: &Session, results: Vec<RootResult>) -> Vec<RootResult> {
+    let mut covered = covered_by_robots(session, results.iter());
+    let (mut kept, mut others): (Vec<RootResult>, Vec<RootResult>) = results
+        .into_iter()
+        .partition(|result| result.task.reason != CheckReason::Walked);
+    // robots first: what they include needs no look of its own
+    others.sort_by_key(|result| !result.is_robot);
+    for result in others {
+        let own = session.vfs.identity(&result.task.file).unwrap_or_default();
+        if covered.contains(&own) {
+            continue;
         }
-        leave_out_copies(self, &mut kept);
-        kept
-    }
-
-    /// The files of the tasks that another one may include, by what its text says.
-    fn statically_included(&self, tasks: &[CheckTask]) -> FastSet<PathBuf> {
-        if tasks.iter().all(|task| task.reason != CheckReason::Walked) {
-            return FastSet::default();
+        if !result.is_robot {
+            covered.extend(
+                result
+                    .reads
+                    .iter()
+                    .filter_map(|path| session.vfs.identity(path)),
+            );
         }
-        let files: FastSet<&Path> = tasks.iter().map(|task| task.file.as_path()).collect();
-        let files: Vec<&Path> = files.into_iter().collect();
-        let sources = files
-            .par_iter()
-            .filter_map(|file| self.vfs.document(file).ok());
-        let included = Included::of_files(sources.collect(), &self.packages);
-        files
-            .into_par_iter()
-            .filter(|file| included.has(file))
-            .map(Path::to_path_buf)
-            .collect()
+        kept.push(result);
     }
+    leave_out_copies(session, &mut kept);
+    kept
+}
+
+/// The files of the tasks that another one may include, by what its text says.
+fn statically_included(session: &Session, tasks: &[CheckTask]) -> FastSet<PathBuf> {
+    if tasks.iter().all(|task| task.reason != CheckReason::Walked) {
+        return FastSet::default();
+    }
+    let files: FastSet<&Path> = tasks.iter().map(|task| task.file.as_path()).collect();
+    let files: Vec<&Path> = files.into_iter().collect();
+    let sources = files
+        .par_iter()
+        .filter_map(|file| session.vfs.document(file).ok());
+    let included = Included::of_files(sources.collect(), &session.packages);
+    files
+        .into_par_iter()
+        .filter(|file| included.has(file))
+        .map(Path::to_path_buf)
+        .collect()
 }
 
 #[cfg(test)]
@@ -112,7 +114,7 @@ mod tests {
             paths: vec![tree.root().to_owned()],
             ..CheckOptions::default()
         };
-        let report = session.check(&options);
+        let report = crate::check(&session, &options);
         (report, options.progress.get())
     }
 

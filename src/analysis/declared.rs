@@ -1,10 +1,17 @@
 //! The arguments that descriptions declare.
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use ecow::EcoString;
 
+use super::includes::reach;
+use super::session::Session;
 use base::FastSet;
+use facts::{FactKind, MentionKind, facts_of};
 use vfs::SourceFile;
+
+/// Descriptions that are read for the arguments of one robot.
+const MOST_FILES: usize = 500;
 
 /// The arguments that a description knows.
 #[derive(Default)]
@@ -17,6 +24,41 @@ pub(super) struct KnownArguments {
 }
 
 impl KnownArguments {
+    /// The arguments that a description and everything that it may include declare or read, in any branch.
+    pub(super) fn of(session: &Session, robot: &Path) -> Self {
+        let mut known = Self {
+            complete: true,
+            ..Self::default()
+        };
+        let mut seen: FastSet<PathBuf> = FastSet::default();
+        let mut open = vec![robot.to_owned()];
+        while let Some(path) = open.pop() {
+            if !seen.insert(path.clone()) {
+                continue;
+            }
+            let Ok(source) = session.vfs.document(&path) else {
+                known.complete = false;
+                continue;
+            };
+            if seen.len() > MOST_FILES || !source.document.errors().is_empty() {
+                known.complete = false;
+            }
+            if seen.len() > MOST_FILES {
+                break;
+            }
+            known.names.extend(arguments(&source));
+            known.files.push(source.clone());
+            let reach = reach(&source, &session.packages);
+            known.complete &= !reach.anything;
+            for files in reach.files(&session.vfs) {
+                known.complete &= !files.is_empty();
+                open.extend(files);
+            }
+        }
+        known.complete &= !known.names.iter().any(|name| name.contains('$'));
+        known
+    }
+
     /// The arguments that are declared, each with its default where it has one.
     pub(super) fn defaults(&self) -> Vec<(String, Option<String>)> {
         let mut found = Vec::new();
@@ -36,4 +78,22 @@ impl KnownArguments {
         }
         found
     }
+}
+
+/// The arguments that a file declares or reads, as they are written.
+pub(super) fn arguments(file: &SourceFile) -> Vec<EcoString> {
+    let mut names = Vec::new();
+    for (_, item) in file.document.parts() {
+        let facts = facts_of(item);
+        let declared = facts
+            .named
+            .iter()
+            .filter(|fact| fact.kind == FactKind::Argument);
+        names.extend(declared.map(|fact| fact.name.clone()));
+        let read = facts
+            .mentions()
+            .filter(|mention| mention.kind == MentionKind::Argument);
+        names.extend(read.map(|mention| mention.name.clone()));
+    }
+    names
 }

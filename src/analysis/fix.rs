@@ -7,13 +7,14 @@ use std::sync::Arc;
 
 use super::admission::{Admission, Admitted, changes, claim, files_of, groups};
 use super::change::Change;
-use super::check::PreviousCheck;
+use super::check::{PreviousCheck, check_with};
 use super::guard::harms;
 use super::options::CheckOptions;
 use super::plan::{Plan, choose};
 use super::proof::{AffectedRobots, Changed, Claim, Effort};
 use super::report::Report;
 use super::session::Session;
+use super::task_list::homes;
 use super::walk::is_description;
 use base::limits::{FIX_ROUNDS, PROOF_EXPANSIONS};
 use base::{FastMap, FastSet, FileId};
@@ -81,127 +82,125 @@ impl Fixed {
     }
 }
 
-impl Session {
-    /// Fix what can be fixed, in memory: the files of this session show the new texts from then on. Safe fixes are made
-    /// where it is [proved](Session::proves) that they are; a fix that would break the XML is left out, and so is one for
-    /// files outside of the workspace.
-    pub fn fix(&self, options: &CheckOptions, how: FixOptions) -> Fixed {
-        let _held = self.vfs.freeze();
-        let mut done = PreviousCheck::default();
-        let found = self.check_with(options, Some(&mut done));
-        let mut work = FixRun::new(self, options, how);
-        let mut left = None;
-        for _ in 0..FIX_ROUNDS {
-            let report = left.as_ref().unwrap_or(&found);
-            let texts = work.files.clone();
-            let made = work.round(report);
-            if made.is_empty() {
-                break;
-            }
-            self.forget_changed(&work.changed, &mut done);
-            let mut after = self.check_with(options, Some(&mut done));
-            let mut kept = made;
-            if harms(report, &after, &kept) {
-                let mut check = |changed: &[Changed]| {
-                    self.forget_changed(changed, &mut done);
-                    self.check_with(options, Some(&mut done))
-                };
-                (kept, after) = work.without_harm(report, &texts, &kept, &mut check);
-            }
-            if !kept.is_empty() {
-                work.note(report, &kept);
-            }
-            left = Some(after);
+/// Fix what can be fixed, in memory: the files of the session show the new texts from then on. Safe fixes are made
+/// where it is proved that they are; a fix that would break the XML is left out, and so is one for files outside of the
+/// workspace.
+pub fn fix(session: &Session, options: &CheckOptions, how: FixOptions) -> Fixed {
+    let _held = session.vfs.freeze();
+    let mut done = PreviousCheck::default();
+    let found = check_with(session, options, Some(&mut done));
+    let mut work = FixRun::new(session, options, how);
+    let mut left = None;
+    for _ in 0..FIX_ROUNDS {
+        let report = left.as_ref().unwrap_or(&found);
+        let texts = work.files.clone();
+        let made = work.round(report);
+        if made.is_empty() {
+            break;
         }
-        let last = left.as_ref().unwrap_or(&found);
-        let (unproved, hidden) = (work.unproved(last), work.hidden(last));
-        let changed = work
-            .files
-            .into_values()
-            .filter(|file| file.before != file.after);
-        let mut changed: Vec<FixedFile> = changed.collect();
-        changed.sort_by(|a, b| a.path.cmp(&b.path));
-        let taken_back = work.taken_back;
-        Fixed {
-            found,
-            left,
-            count: work.count,
-            files: changed,
-            unproved,
-            hidden,
-            taken_back,
+        forget_changed(session, &work.changed, &mut done);
+        let mut after = check_with(session, options, Some(&mut done));
+        let mut kept = made;
+        if harms(report, &after, &kept) {
+            let mut check = |changed: &[Changed]| {
+                forget_changed(session, changed, &mut done);
+                check_with(session, options, Some(&mut done))
+            };
+            (kept, after) = work.without_harm(report, &texts, &kept, &mut check);
         }
-    }
-
-    /// Of the findings of a report with these numbers, the fixes that are proved to be safe, to be made together.
-    pub fn safe_fixes(&self, report: &Report, numbers: &[usize], effort: &Effort) -> Plan {
-        let safe = numbered(report, numbers).filter(|(_, finding)| is_said_safe(finding));
-        let admission = Admission {
-            session: self,
-            report,
-            most: Safety::Safe,
-            effort,
-        };
-        let groups = groups(report, &choose(safe).settles);
-        let mut proved: Vec<usize> = groups
-            .iter()
-            .flat_map(|group| admission.of(group).good)
-            .collect();
-        proved.sort_unstable();
-        choose(numbered(report, &proved))
-    }
-
-    /// Forget what rests on files that changed. Who includes whom may decide about files that did not.
-    fn forget_changed(&self, changed: &[Changed], done: &mut PreviousCheck) {
-        let is_simple = |changed: &Changed| {
-            let (old, new) = (&changed.old, &changed.new);
-            is_description(&changed.path)
-                && old.matches("include").count() == new.matches("include").count()
-        };
-        if changed.iter().all(is_simple) {
-            let files: FastSet<&Path> = changed.iter().map(|changed| &*changed.path).collect();
-            done.forget(|path| files.contains(path));
-            return;
+        if !kept.is_empty() {
+            work.note(report, &kept);
         }
-        done.clear();
-        self.packages.forget();
-        self.forget_uses();
+        left = Some(after);
     }
+    let last = left.as_ref().unwrap_or(&found);
+    let (unproved, hidden) = (work.unproved(last), work.hidden(last));
+    let changed = work
+        .files
+        .into_values()
+        .filter(|file| file.before != file.after);
+    let mut changed: Vec<FixedFile> = changed.collect();
+    changed.sort_by(|a, b| a.path.cmp(&b.path));
+    let taken_back = work.taken_back;
+    Fixed {
+        found,
+        left,
+        count: work.count,
+        files: changed,
+        unproved,
+        hidden,
+        taken_back,
+    }
+}
 
-    /// Whether a file belongs to what was installed for ROS.
-    pub fn is_installed(&self, path: &Path) -> bool {
-        let path = self.vfs.canonical(path);
-        let installed = ["AMENT_PREFIX_PATH", "COLCON_PREFIX_PATH"]
-            .into_iter()
-            .flat_map(|name| self.env.paths(name));
-        let mut installed = installed
-            .chain([PathBuf::from("/opt/ros")])
-            .map(|prefix| self.vfs.canonical(&prefix));
-        installed.any(|prefix| path.starts_with(prefix))
-    }
+/// Of the findings of a report with these numbers, the fixes that are proved to be safe, to be made together.
+pub fn safe_fixes(session: &Session, report: &Report, numbers: &[usize], effort: &Effort) -> Plan {
+    let safe = numbered(report, numbers).filter(|(_, finding)| is_said_safe(finding));
+    let admission = Admission {
+        session,
+        report,
+        most: Safety::Safe,
+        effort,
+    };
+    let groups = groups(report, &choose(safe).settles);
+    let mut proved: Vec<usize> = groups
+        .iter()
+        .flat_map(|group| admission.of(group).good)
+        .collect();
+    proved.sort_unstable();
+    choose(numbered(report, &proved))
+}
 
-    /// How many findings of a report can be fixed: by fixes that should be safe, and by those that are not.
-    pub fn fixable(
-        &self,
-        options: &CheckOptions,
-        report: &Report,
-        shown: Severity,
-    ) -> (usize, usize) {
-        let work = FixRun::new(
-            self,
-            options,
-            FixOptions {
-                most: Safety::Unsafe,
-                shown,
-            },
-        );
-        let fixes = report
-            .findings
-            .iter()
-            .filter(|finding| work.admits(finding));
-        let (safe, others): (Vec<_>, Vec<_>) = fixes.partition(|finding| is_said_safe(finding));
-        (safe.len(), others.len())
+/// Forget what rests on files that changed. Who includes whom may decide about files that did not.
+fn forget_changed(session: &Session, changed: &[Changed], done: &mut PreviousCheck) {
+    let is_simple = |changed: &Changed| {
+        let (old, new) = (&changed.old, &changed.new);
+        is_description(&changed.path)
+            && old.matches("include").count() == new.matches("include").count()
+    };
+    if changed.iter().all(is_simple) {
+        let files: FastSet<&Path> = changed.iter().map(|changed| &*changed.path).collect();
+        done.forget(|path| files.contains(path));
+        return;
     }
+    done.clear();
+    session.packages.forget();
+    session.forget_uses();
+}
+
+/// Whether a file belongs to what was installed for ROS.
+pub fn is_installed(session: &Session, path: &Path) -> bool {
+    let path = session.vfs.canonical(path);
+    let installed = ["AMENT_PREFIX_PATH", "COLCON_PREFIX_PATH"]
+        .into_iter()
+        .flat_map(|name| session.env.paths(name));
+    let mut installed = installed
+        .chain([PathBuf::from("/opt/ros")])
+        .map(|prefix| session.vfs.canonical(&prefix));
+    installed.any(|prefix| path.starts_with(prefix))
+}
+
+/// How many findings of a report can be fixed: by fixes that should be safe, and by those that are not.
+pub fn fixable(
+    session: &Session,
+    options: &CheckOptions,
+    report: &Report,
+    shown: Severity,
+) -> (usize, usize) {
+    let work = FixRun::new(
+        session,
+        options,
+        FixOptions {
+            most: Safety::Unsafe,
+            shown,
+        },
+    );
+    let fixes = report
+        .findings
+        .iter()
+        .filter(|finding| work.admits(finding));
+    let (safe, others): (Vec<_>, Vec<_>) = fixes.partition(|finding| is_said_safe(finding));
+    (safe.len(), others.len())
 }
 
 /// The findings of a report with these numbers, each with its number.
@@ -252,8 +251,7 @@ struct FixRun<'a> {
 
 impl<'a> FixRun<'a> {
     fn new(session: &'a Session, options: &'a CheckOptions, how: FixOptions) -> Self {
-        let homes = session
-            .homes(options)
+        let homes = homes(session, options)
             .iter()
             .map(|home| session.vfs.canonical(home))
             .collect();
@@ -494,7 +492,7 @@ impl<'a> FixRun<'a> {
     /// Whether a file lies in the user's workspace, and was not made by a build tool or installed.
     fn lies_in_workspace(&self, path: &Path) -> bool {
         let path = self.session.vfs.canonical(path);
-        if self.session.is_installed(&path) {
+        if is_installed(self.session, &path) {
             return false;
         }
         let workspace = path

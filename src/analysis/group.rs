@@ -399,10 +399,11 @@ mod tests {
         };
         let session = crate::Session::new(&tree.environment(&[]), setup).unwrap();
         let paths = vec![tree.root().to_owned()];
-        let report = super::grouped(session.check(&crate::CheckOptions {
+        let options = crate::CheckOptions {
             paths,
             ..crate::CheckOptions::default()
-        }));
+        };
+        let report = super::grouped(crate::check(&session, &options));
         let found = report
             .findings
             .iter()

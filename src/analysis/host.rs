@@ -5,8 +5,10 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
-use super::beside::sort;
+use super::beside::{said_to_others, sort};
+use super::check::build_report;
 use super::graph::Graph;
+use super::launch_findings::shown_launch_findings;
 use super::options::CheckOptions;
 use super::proof::{AffectedRobots, Effort};
 use super::report::Report;
@@ -196,9 +198,9 @@ impl AnalysisHost {
 
     /// A range of bytes of an open file was replaced.
     pub fn edit(&mut self, path: &Path, range: TextRange, text: &str) {
-        let before = self.session.said_to_others(path);
+        let before = said_to_others(&self.session, path);
         self.session.vfs.edit_buffer(path, range, text);
-        self.touch(path, self.session.said_to_others(path) != before);
+        self.touch(path, said_to_others(&self.session, path) != before);
     }
 
     /// A file was closed: the disk counts again.
@@ -576,10 +578,8 @@ impl AnalysisHost {
         let robots: Vec<PathBuf> = roots.into_iter().map(|root| root.file).collect();
         beside
             .findings
-            .extend(self.session.shown_launch_findings(&robots, asked, cancel));
-        let mut report = self
-            .session
-            .build_report(&self.options(&entries), results, beside);
+            .extend(shown_launch_findings(&self.session, &robots, asked, cancel));
+        let mut report = build_report(&self.session, &self.options(&entries), results, beside);
         placing::place(&mut report, &self.session.vfs, |path| {
             self.open.contains_key(path)
         });

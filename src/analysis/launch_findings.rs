@@ -5,364 +5,293 @@ use std::sync::Arc;
 
 use ecow::EcoString;
 
-use super::config_findings::arguments;
+use super::argument_places::argument_place;
 use super::declared::KnownArguments;
-use super::includes::reach;
+use super::kept::is_launch_left_over;
+use super::launch_values::{outside_choices, value_findings};
 use super::launched_descriptions::LaunchedDescriptions;
 use super::launched_transforms::LaunchedTransforms;
 use super::options::CheckOptions;
 use super::session::Session;
 use super::walk::is_launch;
-use base::{CancelFlag, FastSet, Span, TextRange};
+use base::{CancelFlag, FastSet};
 use packages::nearest;
 use rules::{Finding, Group, Severity, named, unknown_launch_argument};
-use workspace::launch::{CallArgument, LaunchCall};
+use workspace::launch::LaunchCall;
 use workspace::{RobotCall, has_name};
 
-/// Descriptions that are read for the arguments of one robot.
-const MOST_FILES: usize = 500;
-
-impl Session {
-    /// What is wrong in the calls of the launch files below the folders that are checked.
-    pub(super) fn launch_findings(&self, options: &CheckOptions) -> Vec<Finding> {
-        let mut known: BTreeMap<PathBuf, Arc<KnownArguments>> = BTreeMap::new();
-        let mut found = Vec::new();
-        // an editor asks about the files that it shows
-        if !options.entries.is_empty() {
-            return found;
-        }
-        let folders = options.paths.iter().map(|path| self.vfs.absolute(path));
-        for folder in folders.filter(|path| self.vfs.is_dir(path)) {
-            self.findings_of_calls(
-                &self.robot_calls(&folder),
-                &options.cancel,
-                &mut known,
-                &mut found,
-            );
-            self.findings_of_loads(&self.callers.loads_below(&folder), &mut found);
-            found.extend(self.outside_choices(&folder, |_| true));
-            let mut transforms = LaunchedTransforms::new(self, &options.cancel);
-            found.extend(transforms.findings(&folder, |_| true));
-        }
-        // folders may be inside of others
-        let mut seen = FastSet::default();
-        found.retain(|finding| {
-            seen.insert((finding.rule.code, finding.span, finding.message.clone()))
-        });
-        found
+/// What is wrong in the calls of the launch files below the folders that are checked.
+pub(super) fn launch_findings(session: &Session, options: &CheckOptions) -> Vec<Finding> {
+    let mut known: BTreeMap<PathBuf, Arc<KnownArguments>> = BTreeMap::new();
+    let mut found = Vec::new();
+    // an editor asks about the files that it shows
+    if !options.entries.is_empty() {
+        return found;
     }
-
-    /// What is wrong in the calls of robots that an editor shows, and in the launch files that it shows.
-    pub(super) fn shown_launch_findings(
-        &self,
-        robots: &[PathBuf],
-        shown: &[PathBuf],
-        cancel: &CancelFlag,
-    ) -> Vec<Finding> {
-        let mut found = Vec::new();
-        let mut known: BTreeMap<PathBuf, Arc<KnownArguments>> = BTreeMap::new();
-        let launch_files: Vec<&PathBuf> = shown.iter().filter(|path| is_launch(path)).collect();
-        let mut calls: Vec<RobotCall> = Vec::new();
-        for path in robots.iter().chain(launch_files.iter().copied()) {
-            calls.extend(self.robot_calls(path));
-        }
-        calls.sort_by(|a, b| order(&a.call).cmp(&order(&b.call)));
-        calls.dedup_by(|a, b| order(&a.call) == order(&b.call) && a.call.is_same(&b.call));
-        self.findings_of_calls(&calls, cancel, &mut known, &mut found);
-        let tops = launch_files
-            .iter()
-            .filter_map(|path| self.packages.sources_around(path));
-        for top in tops.collect::<BTreeSet<PathBuf>>() {
-            let mut loads = self.callers.loads_below(&top).to_vec();
-            loads.retain(|load| launch_files.contains(&&load.call.caller));
-            self.findings_of_loads(&loads, &mut found);
-            found.extend(self.outside_choices(&top, |path| launch_files.contains(&path)));
-            let mut transforms = LaunchedTransforms::new(self, cancel);
-            found.extend(transforms.findings(&top, |path| launch_files.contains(&path)));
-        }
-        found
+    let folders = options.paths.iter().map(|path| session.vfs.absolute(path));
+    for folder in folders.filter(|path| session.vfs.is_dir(path)) {
+        findings_of_calls(
+            session,
+            &session.robot_calls(&folder),
+            &options.cancel,
+            &mut known,
+            &mut found,
+        );
+        findings_of_loads(session, &session.callers.loads_below(&folder), &mut found);
+        found.extend(outside_choices(session, &folder, |_| true));
+        let mut transforms = LaunchedTransforms::new(session, &options.cancel);
+        found.extend(transforms.findings(&folder, |_| true));
     }
+    // folders may be inside of others
+    let mut seen = FastSet::default();
+    found.retain(|finding| seen.insert((finding.rule.code, finding.span, finding.message.clone())));
+    found
+}
 
-    /// What is wrong in calls, which are in the order of their places.
-    fn findings_of_calls(
-        &self,
-        calls: &[RobotCall],
-        cancel: &CancelFlag,
-        known: &mut BTreeMap<PathBuf, Arc<KnownArguments>>,
-        found: &mut Vec<Finding>,
-    ) {
-        for group in calls.chunk_by(|a, b| place(&a.call) == place(&b.call)) {
-            if cancel.is_cancelled() {
-                return;
-            }
-            let Some(call) = group.first().filter(|call| self.is_checked(call)) else {
-                continue;
-            };
-            let before = found.len();
-            self.findings_of(group, calls, known, found);
-            self.lower_left_over(&call.call.caller, found, before);
-        }
-        group_by_argument(found);
-        for (robot, known) in &*known {
-            let of =
-                |call: &&RobotCall| call.target.as_ref() == Some(robot) && self.is_checked(call);
-            let of: Vec<&RobotCall> = calls.iter().filter(of).collect();
-            if !of.is_empty() {
-                found.extend(self.value_findings(robot, known, &of));
-            }
-        }
+/// What is wrong in the calls of robots that an editor shows, and in the launch files that it shows.
+pub(super) fn shown_launch_findings(
+    session: &Session,
+    robots: &[PathBuf],
+    shown: &[PathBuf],
+    cancel: &CancelFlag,
+) -> Vec<Finding> {
+    let mut found = Vec::new();
+    let mut known: BTreeMap<PathBuf, Arc<KnownArguments>> = BTreeMap::new();
+    let launch_files: Vec<&PathBuf> = shown.iter().filter(|path| is_launch(path)).collect();
+    let mut calls: Vec<RobotCall> = Vec::new();
+    for path in robots.iter().chain(launch_files.iter().copied()) {
+        calls.extend(session.robot_calls(path));
     }
-
-    /// What is wrong in descriptions that are loaded without xacro, which are in the order of the places.
-    fn findings_of_loads(&self, loads: &[RobotCall], found: &mut Vec<Finding>) {
-        for group in loads.chunk_by(|a, b| place(&a.call) == place(&b.call)) {
-            let Some(load) = group.first().filter(|load| self.is_checked(load)) else {
-                continue;
-            };
-            let before = found.len();
-            found.extend(LaunchedDescriptions(self).missing_load(group));
-            found.extend(LaunchedDescriptions(self).unexpanded_load(group));
-            self.lower_left_over(&load.call.caller, found, before);
-        }
+    calls.sort_by(|a, b| order(&a.call).cmp(&order(&b.call)));
+    calls.dedup_by(|a, b| order(&a.call) == order(&b.call) && a.call.is_same(&b.call));
+    findings_of_calls(session, &calls, cancel, &mut known, &mut found);
+    let tops = launch_files
+        .iter()
+        .filter_map(|path| session.packages.sources_around(path));
+    for top in tops.collect::<BTreeSet<PathBuf>>() {
+        let mut loads = session.callers.loads_below(&top).to_vec();
+        loads.retain(|load| launch_files.contains(&&load.call.caller));
+        findings_of_loads(session, &loads, &mut found);
+        found.extend(outside_choices(session, &top, |path| {
+            launch_files.contains(&path)
+        }));
+        let mut transforms = LaunchedTransforms::new(session, cancel);
+        found.extend(transforms.findings(&top, |path| launch_files.contains(&path)));
     }
+    found
+}
 
-    /// What is found from a place on in a launch file that nobody runs is an info.
-    fn lower_left_over(&self, caller: &Path, found: &mut [Finding], from: usize) {
-        let is_idle = || self.is_launch_left_over(caller) || self.is_example_of_driver(caller);
-        if found.len() > from && is_idle() {
-            let own = found.iter_mut().skip(from);
-            own.for_each(|one| one.severity = one.severity.min(Severity::Info));
-        }
-    }
-
-    /// Whether the configuration does not exclude the launch file of a call.
-    fn is_checked(&self, call: &RobotCall) -> bool {
-        !self.settings(&call.call.caller).excludes(&call.call.caller)
-    }
-
-    /// The values that launch files give to an argument of a robot, each with the names of the files.
-    pub fn launch_values(&self, robot: &Path, name: &str) -> Vec<(String, String)> {
-        let mut values: Vec<(String, Vec<String>)> = Vec::new();
-        for call in self
-            .robot_calls(robot)
-            .iter()
-            .filter(|call| call.target.as_deref() == Some(robot))
-        {
-            let caller = call.call.through.first().unwrap_or(&call.call.caller);
-            let caller = caller
-                .file_name()
-                .unwrap_or_default()
-                .to_string_lossy()
-                .into_owned();
-            for argument in call
-                .call
-                .args
-                .iter()
-                .filter(|argument| argument.name == name)
-            {
-                let value = argument.value.shown();
-                match values.iter_mut().find(|(known, _)| *known == value) {
-                    Some((_, files)) if files.contains(&caller) => {}
-                    Some((_, files)) => files.push(caller.clone()),
-                    None => values.push((value, vec![caller.clone()])),
-                }
-            }
-        }
-        values
-            .into_iter()
-            .map(|(value, files)| (value, in_short(&files)))
-            .collect()
-    }
-
-    /// Of arguments that robots are given, those that none of them knows, each with a similar name. Where something of a
-    /// robot could not be read, it may know them all.
-    pub fn undeclared_arguments(
-        &self,
-        robots: &[PathBuf],
-        args: &[(String, String)],
-    ) -> Vec<(String, Option<String>)> {
-        if args.is_empty() {
-            return Vec::new();
-        }
-        let known: Vec<KnownArguments> = robots.iter().map(|robot| self.known(robot)).collect();
-        if !known.iter().all(|known| known.complete) {
-            return Vec::new();
-        }
-        let names: FastSet<&str> = known
-            .iter()
-            .flat_map(|known| &known.names)
-            .map(EcoString::as_str)
-            .collect();
-        let unknown = args
-            .iter()
-            .map(|(name, _)| name)
-            .filter(|name| !names.contains(name.as_str()));
-        let mut seen = FastSet::default();
-        let unknown = unknown.filter(|name| seen.insert(*name));
-        let with_near = |name: &String| {
-            let near = nearest(name, names.iter().copied());
-            (name.clone(), near.map(str::to_owned))
-        };
-        unknown.map(with_near).collect()
-    }
-
-    /// What is wrong in one call among others, with all the arguments that its launch file is included with.
-    fn findings_of(
-        &self,
-        group: &[RobotCall],
-        calls: &[RobotCall],
-        known: &mut BTreeMap<PathBuf, Arc<KnownArguments>>,
-        found: &mut Vec<Finding>,
-    ) {
-        let targets: Vec<&PathBuf> = group
-            .iter()
-            .filter_map(|call| call.target.as_ref())
-            .collect();
-        let is_there = |path: &&&PathBuf| self.vfs.is_file(path);
-        found.extend(LaunchedDescriptions(self).missing_in(group));
-        let robots: Vec<(&PathBuf, Arc<KnownArguments>)> = targets
-            .iter()
-            .filter(is_there)
-            .map(|path| {
-                let known = known
-                    .entry((*path).clone())
-                    .or_insert_with(|| Arc::new(self.known(path)));
-                (*path, known.clone())
-            })
-            .collect();
-        let Some((robot, _)) = robots.first() else {
+/// What is wrong in calls, which are in the order of their places.
+fn findings_of_calls(
+    session: &Session,
+    calls: &[RobotCall],
+    cancel: &CancelFlag,
+    known: &mut BTreeMap<PathBuf, Arc<KnownArguments>>,
+    found: &mut Vec<Finding>,
+) {
+    for group in calls.chunk_by(|a, b| place(&a.call) == place(&b.call)) {
+        if cancel.is_cancelled() {
             return;
+        }
+        let Some(call) = group.first().filter(|call| is_checked(session, call)) else {
+            continue;
         };
-        let mut seen: FastSet<&str> = FastSet::default();
-        for argument in group.iter().flat_map(|call| &call.call.args) {
-            let name = argument.name.as_str();
-            if robots.iter().any(|(_, known)| known.names.contains(name)) || !seen.insert(name) {
-                continue;
-            }
-            let is_certain =
-                robots.len() == group.len() && robots.iter().all(|(_, known)| known.complete);
-            let mut names = robots
-                .iter()
-                .flat_map(|(_, known)| &known.names)
-                .map(EcoString::as_str);
-            let Some(call) = group.first() else { continue };
-            let span = self.place_of(&call.call, argument);
-            let is_certain = is_certain && !self.is_used_otherwise(&call.call, name);
-            let near = nearest(name, names.clone());
-            // a value that is always the same, for a robot that knows nothing like it
-            let is_idle = near.is_none()
-                && argument.is_fixed(call.call.range)
-                && !names.any(|known| is_like(known, name))
-                || self.is_for_the_robot(call, calls, name);
-            found.push(unknown_launch_argument(
-                span,
-                name,
-                robot,
-                near,
-                is_certain && !is_idle,
-            ));
+        let before = found.len();
+        findings_of(session, group, calls, known, found);
+        lower_left_over(session, &call.call.caller, found, before);
+    }
+    group_by_argument(found);
+    for (robot, known) in &*known {
+        let of =
+            |call: &&RobotCall| call.target.as_ref() == Some(robot) && is_checked(session, call);
+        let of: Vec<&RobotCall> = calls.iter().filter(of).collect();
+        if !of.is_empty() {
+            found.extend(value_findings(session, robot, known, &of));
         }
     }
+}
 
-    /// Whether a launch file has another use for an argument that it passes in vain: it starts something only if it is set.
-    fn is_used_otherwise(&self, call: &LaunchCall, name: &str) -> bool {
-        let Ok(file) = self.vfs.text(&call.caller) else {
-            return false;
+/// What is wrong in descriptions that are loaded without xacro, which are in the order of the places.
+fn findings_of_loads(session: &Session, loads: &[RobotCall], found: &mut Vec<Finding>) {
+    for group in loads.chunk_by(|a, b| place(&a.call) == place(&b.call)) {
+        let Some(load) = group.first().filter(|load| is_checked(session, load)) else {
+            continue;
         };
-        [("Condition(", '\n'), (" if=\"", '"'), (" unless=\"", '"')]
-            .into_iter()
-            .any(|(before, after)| has_name_between(&file.text, name, before, after))
+        let before = found.len();
+        found.extend(LaunchedDescriptions(session).missing_load(group));
+        found.extend(LaunchedDescriptions(session).unexpanded_load(group));
+        lower_left_over(session, &load.call.caller, found, before);
     }
+}
 
-    /// Whether a call makes an SRDF, and another one of its launch file makes a robot that knows the argument: both get one list.
-    fn is_for_the_robot(&self, call: &RobotCall, calls: &[RobotCall], name: &str) -> bool {
-        let is_srdf = |call: &RobotCall| {
-            let target = call.target.as_deref().and_then(Path::file_name);
-            target.is_some_and(|file| file.to_string_lossy().contains(".srdf"))
-        };
-        let gives = |other: &&RobotCall| {
-            other.call.caller == call.call.caller
-                && !is_srdf(other)
-                && other.call.args.iter().any(|argument| argument.name == name)
-        };
-        let mut robots = calls
+/// What is found from a place on in a launch file that nobody runs is an info.
+fn lower_left_over(session: &Session, caller: &Path, found: &mut [Finding], from: usize) {
+    if found.len() > from && is_launch_left_over(session, caller) {
+        let own = found.iter_mut().skip(from);
+        own.for_each(|one| one.severity = one.severity.min(Severity::Info));
+    }
+}
+
+/// Whether the configuration does not exclude the launch file of a call.
+fn is_checked(session: &Session, call: &RobotCall) -> bool {
+    !session
+        .settings(&call.call.caller)
+        .excludes(&call.call.caller)
+}
+
+/// The values that launch files give to an argument of a robot, each with the names of the files.
+pub fn launch_values(session: &Session, robot: &Path, name: &str) -> Vec<(String, String)> {
+    let mut values: Vec<(String, Vec<String>)> = Vec::new();
+    for call in session
+        .robot_calls(robot)
+        .iter()
+        .filter(|call| call.target.as_deref() == Some(robot))
+    {
+        let caller = call.call.through.first().unwrap_or(&call.call.caller);
+        let caller = caller
+            .file_name()
+            .unwrap_or_default()
+            .to_string_lossy()
+            .into_owned();
+        for argument in call
+            .call
+            .args
             .iter()
-            .filter(gives)
-            .filter_map(|other| other.target.as_deref());
-        is_srdf(call) && robots.any(|robot| self.known(robot).names.contains(name))
-    }
-
-    /// The arguments that a description and everything that it may include declare or read, in any branch.
-    pub(super) fn known(&self, robot: &Path) -> KnownArguments {
-        let mut known = KnownArguments {
-            complete: true,
-            ..KnownArguments::default()
-        };
-        let mut seen: FastSet<PathBuf> = FastSet::default();
-        let mut open = vec![robot.to_owned()];
-        while let Some(path) = open.pop() {
-            if !seen.insert(path.clone()) {
-                continue;
-            }
-            let Ok(source) = self.vfs.document(&path) else {
-                known.complete = false;
-                continue;
-            };
-            if seen.len() > MOST_FILES || !source.document.errors().is_empty() {
-                known.complete = false;
-            }
-            if seen.len() > MOST_FILES {
-                break;
-            }
-            known.names.extend(arguments(&source));
-            known.files.push(source.clone());
-            let reach = reach(&source, &self.packages);
-            known.complete &= !reach.anything;
-            for files in reach.files(&self.vfs) {
-                known.complete &= !files.is_empty();
-                open.extend(files);
+            .filter(|argument| argument.name == name)
+        {
+            let value = argument.value.shown();
+            match values.iter_mut().find(|(known, _)| *known == value) {
+                Some((_, files)) if files.contains(&caller) => {}
+                Some((_, files)) => files.push(caller.clone()),
+                None => values.push((value, vec![caller.clone()])),
             }
         }
-        known.complete &= !known.names.iter().any(|name| name.contains('$'));
-        known
     }
+    values
+        .into_iter()
+        .map(|(value, files)| (value, in_short(&files)))
+        .collect()
+}
 
-    /// Where a call writes the name of an argument; else where the call stands.
-    pub(super) fn place_of(&self, call: &LaunchCall, argument: &CallArgument) -> Span {
-        let whole = || Span {
-            file: self.vfs.file_id(&call.caller),
-            range: call.range,
-        };
-        self.spelled(call, argument).unwrap_or_else(whole)
+/// Of arguments that robots are given, those that none of them knows, each with a similar name. Where something of a
+/// robot could not be read, it may know them all.
+pub fn undeclared_arguments(
+    session: &Session,
+    robots: &[PathBuf],
+    args: &[(String, String)],
+) -> Vec<(String, Option<String>)> {
+    if args.is_empty() {
+        return Vec::new();
     }
+    let known: Vec<KnownArguments> = robots
+        .iter()
+        .map(|robot| KnownArguments::of(session, robot))
+        .collect();
+    if !known.iter().all(|known| known.complete) {
+        return Vec::new();
+    }
+    let names: FastSet<&str> = known
+        .iter()
+        .flat_map(|known| &known.names)
+        .map(EcoString::as_str)
+        .collect();
+    let unknown = args
+        .iter()
+        .map(|(name, _)| name)
+        .filter(|name| !names.contains(name.as_str()));
+    let mut seen = FastSet::default();
+    let unknown = unknown.filter(|name| seen.insert(*name));
+    let with_near = |name: &String| {
+        let near = nearest(name, names.iter().copied());
+        (name.clone(), near.map(str::to_owned))
+    };
+    unknown.map(with_near).collect()
+}
 
-    /// Where a call writes the name of an argument, as far as its text tells.
-    pub(super) fn spelled(&self, call: &LaunchCall, argument: &CallArgument) -> Option<Span> {
-        let file = self.vfs.file_id(&call.caller);
-        let text = self.vfs.text(&call.caller);
-        let text = text.as_ref().map_or("", |file| &*file.text);
-        let name = &argument.name;
-        let forms = [
-            format!("{name}:="),
-            format!("'{name}'"),
-            format!("\"{name}\""),
-            format!("{name}="),
-        ];
-        let within = |range: TextRange| {
-            let code = range.slice(text);
-            let (at, form) = forms
-                .iter()
-                .find_map(|form| Some((whole(code, form)?, form)))?;
-            let lead = u32::from(form.starts_with(['"', '\'']));
-            let start = range.start + at as u32 + lead;
-            Some(TextRange::new(start, start + name.len() as u32))
-        };
-        let range = argument
-            .range
-            .and_then(within)
-            .or_else(|| within(call.range))?;
-        Some(Span { file, range })
+/// What is wrong in one call among others, with all the arguments that its launch file is included with.
+fn findings_of(
+    session: &Session,
+    group: &[RobotCall],
+    calls: &[RobotCall],
+    known: &mut BTreeMap<PathBuf, Arc<KnownArguments>>,
+    found: &mut Vec<Finding>,
+) {
+    let targets: Vec<&PathBuf> = group
+        .iter()
+        .filter_map(|call| call.target.as_ref())
+        .collect();
+    let is_there = |path: &&&PathBuf| session.vfs.is_file(path);
+    found.extend(LaunchedDescriptions(session).missing_in(group));
+    let robots: Vec<(&PathBuf, Arc<KnownArguments>)> = targets
+        .iter()
+        .filter(is_there)
+        .map(|path| {
+            let known = known
+                .entry((*path).clone())
+                .or_insert_with(|| Arc::new(KnownArguments::of(session, path)));
+            (*path, known.clone())
+        })
+        .collect();
+    let Some((robot, _)) = robots.first() else {
+        return;
+    };
+    let mut seen: FastSet<&str> = FastSet::default();
+    for argument in group.iter().flat_map(|call| &call.call.args) {
+        let name = argument.name.as_str();
+        if robots.iter().any(|(_, known)| known.names.contains(name)) || !seen.insert(name) {
+            continue;
+        }
+        let is_certain =
+            robots.len() == group.len() && robots.iter().all(|(_, known)| known.complete);
+        let mut names = robots
+            .iter()
+            .flat_map(|(_, known)| &known.names)
+            .map(EcoString::as_str);
+        let Some(call) = group.first() else { continue };
+        let span = argument_place(&session.vfs, &call.call, argument);
+        let is_certain = is_certain && !is_used_otherwise(session, &call.call, name);
+        let near = nearest(name, names.clone());
+        // a value that is always the same, for a robot that knows nothing like it
+        let is_idle = near.is_none()
+            && argument.is_fixed(call.call.range)
+            && !names.any(|known| is_like(known, name))
+            || is_for_the_robot(session, call, calls, name);
+        found.push(unknown_launch_argument(
+            span,
+            name,
+            robot,
+            near,
+            is_certain && !is_idle,
+        ));
     }
+}
+
+/// Whether a launch file has another use for an argument that it passes in vain: it starts something only if it is set.
+fn is_used_otherwise(session: &Session, call: &LaunchCall, name: &str) -> bool {
+    let Ok(file) = session.vfs.text(&call.caller) else {
+        return false;
+    };
+    [("Condition(", '\n'), (" if=\"", '"'), (" unless=\"", '"')]
+        .into_iter()
+        .any(|(before, after)| has_name_between(&file.text, name, before, after))
+}
+
+/// Whether a call makes an SRDF, and another one of its launch file makes a robot that knows the argument: both get one list.
+fn is_for_the_robot(session: &Session, call: &RobotCall, calls: &[RobotCall], name: &str) -> bool {
+    let is_srdf = |call: &RobotCall| {
+        let target = call.target.as_deref().and_then(Path::file_name);
+        target.is_some_and(|file| file.to_string_lossy().contains(".srdf"))
+    };
+    let gives = |other: &&RobotCall| {
+        other.call.caller == call.call.caller
+            && !is_srdf(other)
+            && other.call.args.iter().any(|argument| argument.name == name)
+    };
+    let mut robots = calls
+        .iter()
+        .filter(gives)
+        .filter_map(|other| other.target.as_deref());
+    is_srdf(call) && robots.any(|robot| KnownArguments::of(session, robot).names.contains(name))
 }
 
 /// What is passed in vain to several robots is one mistake.
@@ -420,17 +349,6 @@ fn in_short(names: &[String]) -> String {
     } else {
         first
     }
-}
-
-/// Where a text holds another that is not the end of a longer name.
-fn whole(text: &str, form: &str) -> Option<usize> {
-    let is_part = |c: char| c.is_alphanumeric() || c == '_';
-    let mut places = text.match_indices(form).map(|(at, _)| at);
-    places.find(|at| {
-        !text
-            .get(..*at)
-            .is_some_and(|before| before.ends_with(is_part))
-    })
 }
 
 fn place(call: &LaunchCall) -> (&Path, u32, u32) {

@@ -38,7 +38,7 @@ fn check_launch(launch: &str, files: &[(&str, &str)], expected: &[&str]) {
         paths: vec![tree.root().to_owned()],
         ..CheckOptions::default()
     };
-    let report = session.check(&options);
+    let report = crate::check(&session, &options);
     let found = report
         .findings
         .iter()

@@ -1,6 +1,8 @@
 //! Names of arguments of robots in launch files: where they are spelled, and what they mean.
 use std::path::{Path, PathBuf};
 
+use super::argument_places::spelled_argument;
+use super::declared::KnownArguments;
 use super::session::Session;
 use base::{Span, TextRange};
 use workspace::RobotCall;
@@ -17,117 +19,124 @@ pub struct LaunchName {
     pub span: Span,
 }
 
-impl Session {
-    /// Where launch files spell the name of an argument of these robots.
-    pub fn launch_places(&self, robots: &[PathBuf], name: &str) -> Vec<Span> {
-        let mut found: Vec<Span> = Vec::new();
-        for robot in robots {
-            let calls = self.robot_calls(robot);
-            for call in calls
-                .iter()
-                .filter(|call| call.target.as_ref() == Some(robot))
-            {
-                let argument = call.call.args.iter().find(|argument| argument.name == name);
-                let span = argument.and_then(|argument| self.spelled(&call.call, argument));
-                // files that are included from many others call the robot as often
-                found.extend(span.filter(|span| !found.contains(span)));
-            }
-        }
-        found.retain(|span| self.is_spelled(&self.vfs.path(span.file), span.range, name));
-        found.sort_by_key(|span| (span.file, span.range.start));
-        found
-    }
-
-    /// The robot beside these that a launch file gives the argument at a place, too, and that knows it.
-    pub fn gives_to_another(&self, place: Span, robots: &[PathBuf], name: &str) -> Option<PathBuf> {
-        let path = self.vfs.path(place.file);
-        let others = self
-            .robot_calls(&path)
-            .into_iter()
-            .filter(|call| call.call.caller == *path);
-        let others = others.filter(|call| self.place_in(&call.call, name) == Some(place));
-        let mut others = others.filter_map(|call| call.target);
-        others.find(|other| !robots.contains(other) && self.known(other).names.contains(name))
-    }
-
-    /// Where a call spells an argument.
-    fn place_in(&self, call: &LaunchCall, name: &str) -> Option<Span> {
-        let argument = call.args.iter().find(|argument| argument.name == name)?;
-        self.spelled(call, argument)
-    }
-
-    /// The calls of a launch file with their arguments, wherever these stand.
-    pub(super) fn given_in(&self, path: &Path) -> Vec<String> {
-        let text = self.vfs.text(path).ok();
-        let file = text.and_then(|file| launch::read(path, &file.text));
-        let given = |call: &LaunchCall| {
-            let args = call
-                .args
-                .iter()
-                .map(|argument| format!(" {}:={}", argument.name, argument.value.shown()));
-            call.file.shown() + &args.collect::<String>()
-        };
-        file.as_ref()
-            .map(launch::calls)
-            .unwrap_or_default()
+/// Where launch files spell the name of an argument of these robots.
+pub fn launch_places(session: &Session, robots: &[PathBuf], name: &str) -> Vec<Span> {
+    let mut found: Vec<Span> = Vec::new();
+    for robot in robots {
+        let calls = session.robot_calls(robot);
+        for call in calls
             .iter()
-            .map(given)
-            .collect()
+            .filter(|call| call.target.as_ref() == Some(robot))
+        {
+            let argument = call.call.args.iter().find(|argument| argument.name == name);
+            let span =
+                argument.and_then(|argument| spelled_argument(&session.vfs, &call.call, argument));
+            // files that are included from many others call the robot as often
+            found.extend(span.filter(|span| !found.contains(span)));
+        }
     }
+    found.retain(|span| is_spelled(session, &session.vfs.path(span.file), span.range, name));
+    found.sort_by_key(|span| (span.file, span.range.start));
+    found
+}
 
-    /// The argument whose name stands at an offset of a launch file.
-    pub fn launch_name_at(&self, path: &Path, offset: u32) -> Option<LaunchName> {
-        let mut found: Option<LaunchName> = None;
-        for call in self.calls_at(path, offset) {
-            for argument in &call.call.args {
-                let span = self
-                    .spelled(&call.call, argument)
-                    .filter(|span| span.range.touches(offset));
-                let (Some(span), Some(robot)) = (span, &call.target) else {
-                    continue;
-                };
-                let name = &argument.name;
-                let found = found.get_or_insert_with(|| LaunchName {
-                    name: name.clone(),
-                    robots: Vec::new(),
-                    span,
-                });
-                if found.span == span && !found.robots.contains(robot) {
-                    found.robots.push(robot.clone());
-                }
+/// The robot beside these that a launch file gives the argument at a place, too, and that knows it.
+pub fn gives_to_another(
+    session: &Session,
+    place: Span,
+    robots: &[PathBuf],
+    name: &str,
+) -> Option<PathBuf> {
+    let path = session.vfs.path(place.file);
+    let others = session
+        .robot_calls(&path)
+        .into_iter()
+        .filter(|call| call.call.caller == *path);
+    let others = others.filter(|call| place_in(session, &call.call, name) == Some(place));
+    let mut others = others.filter_map(|call| call.target);
+    others.find(|other| {
+        !robots.contains(other) && KnownArguments::of(session, other).names.contains(name)
+    })
+}
+
+/// Where a call spells an argument.
+fn place_in(session: &Session, call: &LaunchCall, name: &str) -> Option<Span> {
+    let argument = call.args.iter().find(|argument| argument.name == name)?;
+    spelled_argument(&session.vfs, call, argument)
+}
+
+/// The calls of a launch file with their arguments, wherever these stand.
+pub(super) fn given_in(session: &Session, path: &Path) -> Vec<String> {
+    let text = session.vfs.text(path).ok();
+    let file = text.and_then(|file| launch::read(path, &file.text));
+    let given = |call: &LaunchCall| {
+        let args = call
+            .args
+            .iter()
+            .map(|argument| format!(" {}:={}", argument.name, argument.value.shown()));
+        call.file.shown() + &args.collect::<String>()
+    };
+    file.as_ref()
+        .map(launch::calls)
+        .unwrap_or_default()
+        .iter()
+        .map(given)
+        .collect()
+}
+
+/// The argument whose name stands at an offset of a launch file.
+pub fn launch_name_at(session: &Session, path: &Path, offset: u32) -> Option<LaunchName> {
+    let mut found: Option<LaunchName> = None;
+    for call in calls_at(session, path, offset) {
+        for argument in &call.call.args {
+            let span = spelled_argument(&session.vfs, &call.call, argument)
+                .filter(|span| span.range.touches(offset));
+            let (Some(span), Some(robot)) = (span, &call.target) else {
+                continue;
+            };
+            let name = &argument.name;
+            let found = found.get_or_insert_with(|| LaunchName {
+                name: name.clone(),
+                robots: Vec::new(),
+                span,
+            });
+            if found.span == span && !found.robots.contains(robot) {
+                found.robots.push(robot.clone());
             }
         }
-        let found = found.filter(|found| self.is_spelled(path, found.span.range, &found.name));
-        found.map(|mut found| {
-            found
-                .robots
-                .retain(|robot| self.known(robot).names.contains(found.name.as_str()));
-            found
-        })
     }
+    let found = found.filter(|found| is_spelled(session, path, found.span.range, &found.name));
+    found.map(|mut found| {
+        found.robots.retain(|robot| {
+            KnownArguments::of(session, robot)
+                .names
+                .contains(found.name.as_str())
+        });
+        found
+    })
+}
 
-    /// The calls of robots around an offset of a launch file.
-    pub(super) fn calls_at(&self, path: &Path, offset: u32) -> Vec<RobotCall> {
-        let mut calls = self.robot_calls(path);
-        calls.retain(|call| call.call.caller == *path && call.call.range.touches(offset));
-        calls
-    }
+/// The calls of robots around an offset of a launch file.
+pub(super) fn calls_at(session: &Session, path: &Path, offset: u32) -> Vec<RobotCall> {
+    let mut calls = session.robot_calls(path);
+    calls.retain(|call| call.call.caller == *path && call.call.range.touches(offset));
+    calls
+}
 
-    /// Whether a text in a launch file is the name of an argument: with another text there, the calls are the same but for it.
-    fn is_spelled(&self, path: &Path, range: TextRange, name: &str) -> bool {
-        let other = format!("{name}_other");
-        let Ok(text) = self.vfs.text(path) else {
-            return false;
-        };
-        let Some(before) = calls_in(path, &text.text) else {
-            return false;
-        };
-        let edited = super::plan::apply(&text.text, &[(range, other.clone())]);
-        let Some(after) = calls_in(path, &edited) else {
-            return false;
-        };
-        is_renamed(&before, &after, name, &other)
-    }
+/// Whether a text in a launch file is the name of an argument: with another text there, the calls are the same but for it.
+fn is_spelled(session: &Session, path: &Path, range: TextRange, name: &str) -> bool {
+    let other = format!("{name}_other");
+    let Ok(text) = session.vfs.text(path) else {
+        return false;
+    };
+    let Some(before) = calls_in(path, &text.text) else {
+        return false;
+    };
+    let edited = super::plan::apply(&text.text, &[(range, other.clone())]);
+    let Some(after) = calls_in(path, &edited) else {
+        return false;
+    };
+    is_renamed(&before, &after, name, &other)
 }
 
 /// What may be written at a place in a launch file.
@@ -141,41 +150,39 @@ pub struct LaunchChoices {
     pub with_sign: bool,
 }
 
-impl Session {
-    /// The arguments that may be given at an offset of a launch file: in the command of a call, or in its mappings.
-    pub fn launch_choices_at(&self, path: &Path, offset: u32) -> Option<LaunchChoices> {
-        let calls = self.calls_at(path, offset);
-        let call = &calls.first()?.call;
-        let text = self.vfs.text(path).ok()?;
-        let before = TextRange::new(call.range.start, offset).slice(&text.text);
-        let word = before.len() - before.trim_end_matches(is_word).len();
-        let is_python = path.extension().is_some_and(|ending| ending == "py");
-        let before = before.get(..before.len() - word)?;
-        let with_sign = if is_python {
-            starts_argument(before)?
-        } else {
-            before.ends_with(char::is_whitespace).then_some(true)?
-        };
-        let after = text.text.get(offset as usize..)?;
-        let rest = after.len() - after.trim_start_matches(is_word).len();
-        let has_sign = after
-            .get(rest..)
-            .is_some_and(|after| after.starts_with(":="));
-        let mut arguments: Vec<(String, Option<String>)> = Vec::new();
-        for robot in calls.iter().filter_map(|call| call.target.as_ref()) {
-            for (name, default) in self.known(robot).defaults() {
-                if !arguments.iter().any(|(known, _)| *known == name) {
-                    arguments.push((name, default));
-                }
+/// The arguments that may be given at an offset of a launch file: in the command of a call, or in its mappings.
+pub fn launch_choices_at(session: &Session, path: &Path, offset: u32) -> Option<LaunchChoices> {
+    let calls = calls_at(session, path, offset);
+    let call = &calls.first()?.call;
+    let text = session.vfs.text(path).ok()?;
+    let before = TextRange::new(call.range.start, offset).slice(&text.text);
+    let word = before.len() - before.trim_end_matches(is_word).len();
+    let is_python = path.extension().is_some_and(|ending| ending == "py");
+    let before = before.get(..before.len() - word)?;
+    let with_sign = if is_python {
+        starts_argument(before)?
+    } else {
+        before.ends_with(char::is_whitespace).then_some(true)?
+    };
+    let after = text.text.get(offset as usize..)?;
+    let rest = after.len() - after.trim_start_matches(is_word).len();
+    let has_sign = after
+        .get(rest..)
+        .is_some_and(|after| after.starts_with(":="));
+    let mut arguments: Vec<(String, Option<String>)> = Vec::new();
+    for robot in calls.iter().filter_map(|call| call.target.as_ref()) {
+        for (name, default) in KnownArguments::of(session, robot).defaults() {
+            if !arguments.iter().any(|(known, _)| *known == name) {
+                arguments.push((name, default));
             }
         }
-        let range = TextRange::new(offset - word as u32, offset + rest as u32);
-        Some(LaunchChoices {
-            range,
-            arguments,
-            with_sign: with_sign && !has_sign,
-        })
     }
+    let range = TextRange::new(offset - word as u32, offset + rest as u32);
+    Some(LaunchChoices {
+        range,
+        arguments,
+        with_sign: with_sign && !has_sign,
+    })
 }
 
 fn is_word(c: char) -> bool {

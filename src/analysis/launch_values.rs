@@ -3,6 +3,7 @@ use std::path::{Path, PathBuf};
 
 use ecow::EcoString;
 
+use super::argument_places::argument_place;
 use super::declared::KnownArguments;
 use super::session::Session;
 use base::{FastMap, FastSet, Span, TextRange};
@@ -25,125 +26,123 @@ struct ComparedWords {
     comparisons: usize,
 }
 
-impl Session {
-    /// Values that some launch files below a folder give and that choices rule out.
-    pub(super) fn outside_choices(
-        &self,
-        folder: &Path,
-        is_meant: impl Fn(&PathBuf) -> bool,
-    ) -> Vec<Finding> {
-        let excluded = self.callers.excluded_values(folder);
-        let checked = excluded.iter().filter(|found| is_meant(&found.giver));
-        let checked = checked.filter(|found| !self.settings(&found.giver).excludes(&found.giver));
-        let finding = checked.map(|found| {
-            let text = self.vfs.text(&found.giver);
-            let text = text.as_ref().map_or("", |file| &*file.text);
-            let range = quoted(text, found.range, &found.name, &found.value).unwrap_or(found.range);
-            let span = Span {
-                file: self.vfs.file_id(&found.giver),
-                range,
+/// Values that some launch files below a folder give and that choices rule out.
+pub(super) fn outside_choices(
+    session: &Session,
+    folder: &Path,
+    is_meant: impl Fn(&PathBuf) -> bool,
+) -> Vec<Finding> {
+    let excluded = session.callers.excluded_values(folder);
+    let checked = excluded.iter().filter(|found| is_meant(&found.giver));
+    let checked = checked.filter(|found| !session.settings(&found.giver).excludes(&found.giver));
+    let finding = checked.map(|found| {
+        let text = session.vfs.text(&found.giver);
+        let text = text.as_ref().map_or("", |file| &*file.text);
+        let range = quoted(text, found.range, &found.name, &found.value).unwrap_or(found.range);
+        let span = Span {
+            file: session.vfs.file_id(&found.giver),
+            range,
+        };
+        let near = nearest(&found.value, found.choices.iter().map(String::as_str));
+        value_outside_choices(span, &found.name, &found.value, &found.choices, near)
+    });
+    finding.collect()
+}
+
+/// What the calls of a robot give to arguments that it only compares with other values, and the arguments that no call gives.
+pub(super) fn value_findings(
+    session: &Session,
+    robot: &Path,
+    known: &KnownArguments,
+    calls: &[&RobotCall],
+) -> Vec<Finding> {
+    if !known.complete {
+        return Vec::new();
+    }
+    let mut found = never_compared(session, robot, known, calls);
+    found.extend(never_set(session, robot, known));
+    found
+}
+
+fn never_compared(
+    session: &Session,
+    robot: &Path,
+    known: &KnownArguments,
+    calls: &[&RobotCall],
+) -> Vec<Finding> {
+    let compared = comparisons(known);
+    let mut found = Vec::new();
+    for call in calls {
+        for argument in &call.call.args {
+            let Some(compared) = compared.get(argument.name.as_str()) else {
+                continue;
             };
-            let near = nearest(&found.value, found.choices.iter().map(String::as_str));
-            value_outside_choices(span, &found.name, &found.value, &found.choices, near)
-        });
-        finding.collect()
-    }
-
-    /// What the calls of a robot give to arguments that it only compares with other values, and the arguments that no call gives.
-    pub(super) fn value_findings(
-        &self,
-        robot: &Path,
-        known: &KnownArguments,
-        calls: &[&RobotCall],
-    ) -> Vec<Finding> {
-        if !known.complete {
-            return Vec::new();
+            let Some(value) = argument.value.literal() else {
+                continue;
+            };
+            if is_expected(&value, compared) {
+                continue;
+            }
+            let span = argument_place(&session.vfs, &call.call, argument);
+            let near = nearest(&value, compared.words.iter().map(String::as_str));
+            let what = (argument.name.as_str(), value.as_str());
+            found.push(value_never_compared(
+                span,
+                what,
+                robot,
+                &compared.words,
+                near,
+            ));
         }
-        let mut found = self.never_compared(robot, known, calls);
-        found.extend(self.never_set(robot, known));
-        found
     }
+    let mut seen = FastSet::default();
+    found.retain(|finding| seen.insert((finding.span, finding.message.clone())));
+    found
+}
 
-    fn never_compared(
-        &self,
-        robot: &Path,
-        known: &KnownArguments,
-        calls: &[&RobotCall],
-    ) -> Vec<Finding> {
-        let compared = comparisons(known);
-        let mut found = Vec::new();
-        for call in calls {
-            for argument in &call.call.args {
-                let Some(compared) = compared.get(argument.name.as_str()) else {
-                    continue;
+fn never_set(session: &Session, robot: &Path, known: &KnownArguments) -> Vec<Finding> {
+    // calls in launch files that are not checked give arguments too
+    let mut all = session.robot_calls(robot);
+    all.retain(|call| call.target.as_deref() == Some(robot));
+    if all.iter().any(|call| call.call.open) {
+        return Vec::new();
+    }
+    let given = all
+        .iter()
+        .flat_map(|call| &call.call.args)
+        .map(|argument| argument.name.as_str());
+    let mut given: FastSet<&str> = given.collect();
+    let settings = session.settings(robot);
+    let is_of = |root: &&Root| root.files(&session.vfs).iter().any(|file| file == robot);
+    let configured = settings
+        .config
+        .roots
+        .iter()
+        .filter(is_of)
+        .flat_map(|root| &root.given);
+    given.extend(configured.map(|(name, _)| name.as_str()));
+    let mut places: FastSet<(PathBuf, TextRange)> = FastSet::default();
+    for call in &all {
+        places.insert((call.call.caller.clone(), call.call.range));
+    }
+    let mut found = Vec::new();
+    for file in known.files.iter().filter(|file| *file.path == *robot) {
+        for (start, item) in file.document.parts() {
+            let facts = facts_of(item);
+            let declared = facts
+                .named
+                .iter()
+                .filter(|fact| fact.kind == FactKind::Argument);
+            for fact in declared.filter(|fact| !given.contains(fact.name.as_str())) {
+                let span = Span {
+                    file: file.id,
+                    range: fact.range.shift(start),
                 };
-                let Some(value) = argument.value.literal() else {
-                    continue;
-                };
-                if is_expected(&value, compared) {
-                    continue;
-                }
-                let span = self.place_of(&call.call, argument);
-                let near = nearest(&value, compared.words.iter().map(String::as_str));
-                let what = (argument.name.as_str(), value.as_str());
-                found.push(value_never_compared(
-                    span,
-                    what,
-                    robot,
-                    &compared.words,
-                    near,
-                ));
+                found.push(argument_never_set(span, &fact.name, places.len()));
             }
         }
-        let mut seen = FastSet::default();
-        found.retain(|finding| seen.insert((finding.span, finding.message.clone())));
-        found
     }
-
-    fn never_set(&self, robot: &Path, known: &KnownArguments) -> Vec<Finding> {
-        // calls in launch files that are not checked give arguments too
-        let mut all = self.robot_calls(robot);
-        all.retain(|call| call.target.as_deref() == Some(robot));
-        if all.iter().any(|call| call.call.open) {
-            return Vec::new();
-        }
-        let given = all
-            .iter()
-            .flat_map(|call| &call.call.args)
-            .map(|argument| argument.name.as_str());
-        let mut given: FastSet<&str> = given.collect();
-        let settings = self.settings(robot);
-        let is_of = |root: &&Root| root.files(&self.vfs).iter().any(|file| file == robot);
-        let configured = settings
-            .config
-            .roots
-            .iter()
-            .filter(is_of)
-            .flat_map(|root| &root.given);
-        given.extend(configured.map(|(name, _)| name.as_str()));
-        let mut places: FastSet<(PathBuf, TextRange)> = FastSet::default();
-        for call in &all {
-            places.insert((call.call.caller.clone(), call.call.range));
-        }
-        let mut found = Vec::new();
-        for file in known.files.iter().filter(|file| *file.path == *robot) {
-            for (start, item) in file.document.parts() {
-                let facts = facts_of(item);
-                let declared = facts
-                    .named
-                    .iter()
-                    .filter(|fact| fact.kind == FactKind::Argument);
-                for fact in declared.filter(|fact| !given.contains(fact.name.as_str())) {
-                    let span = Span {
-                        file: file.id,
-                        range: fact.range.shift(start),
-                    };
-                    found.push(argument_never_set(span, &fact.name, places.len()));
-                }
-            }
-        }
-        found
-    }
+    found
 }
 
 /// Whether a robot that compares an argument with some words is made for another value.

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use ecow::EcoString;
 
 use super::check_task::{CheckTask, LaunchCallSites};
+use super::declared::KnownArguments;
 use super::root_config::RootConfig;
 use super::root_result::RootResult;
 use super::session::Session;
@@ -25,198 +26,199 @@ pub(super) struct Launched {
     pub calls: Vec<Span>,
 }
 
-impl Session {
-    /// The distinct calls of a robot of which all arguments are known, in the order of the paths of the launch files.
-    /// `own` are arguments that the robot is known to read.
-    pub(super) fn launched(&self, robot: &Path, own: &[(EcoString, EcoString)]) -> Vec<Launched> {
-        let mut found: Vec<Launched> = Vec::new();
-        let mut known = None;
-        for call in self
-            .robot_calls(robot)
-            .iter()
-            .filter(|call| call.target.as_deref() == Some(robot))
+/// The distinct calls of a robot of which all arguments are known, in the order of the paths of the launch files.
+/// `own` are arguments that the robot is known to read.
+pub(super) fn distinct_calls(
+    session: &Session,
+    robot: &Path,
+    own: &[(EcoString, EcoString)],
+) -> Vec<Launched> {
+    let mut found: Vec<Launched> = Vec::new();
+    let mut known = None;
+    for call in session
+        .robot_calls(robot)
+        .iter()
+        .filter(|call| call.target.as_deref() == Some(robot))
+    {
+        let Some(mut args) = known_args(session, call) else {
+            continue;
+        };
+        // what the robot does not read makes no difference
+        args.retain(|(name, _)| {
+            if own.iter().any(|(own, _)| own == name) {
+                return true;
+            }
+            let known = known.get_or_insert_with(|| KnownArguments::of(session, robot));
+            !known.complete || known.names.contains(name.as_str())
+        });
+        let site = Span {
+            file: session.vfs.file_id(&call.call.caller),
+            range: call.call.range,
+        };
+        match found
+            .iter_mut()
+            .find(|launched| same(&launched.args, &args))
         {
-            let Some(mut args) = self.known_args(call) else {
-                continue;
-            };
-            // what the robot does not read makes no difference
-            args.retain(|(name, _)| {
-                if own.iter().any(|(own, _)| own == name) {
-                    return true;
-                }
-                let known = known.get_or_insert_with(|| self.known(robot));
-                !known.complete || known.names.contains(name.as_str())
-            });
-            let site = Span {
-                file: self.vfs.file_id(&call.call.caller),
-                range: call.call.range,
-            };
-            match found
-                .iter_mut()
-                .find(|launched| same(&launched.args, &args))
-            {
-                Some(launched) if launched.calls.contains(&site) => {}
-                Some(launched) => launched.calls.push(site),
-                None => {
-                    let file = call.call.through.first().unwrap_or(&call.call.caller);
-                    let name = file
-                        .file_name()
-                        .unwrap_or_default()
-                        .to_string_lossy()
-                        .into_owned();
-                    let further = format!("{name} (");
-                    let is_of_file =
-                        |known: &&Launched| known.name == name || known.name.starts_with(&further);
-                    let name = match found.iter().filter(is_of_file).count() {
-                        0 => name,
-                        before => format!("{further}{})", before + 1),
-                    };
-                    found.push(Launched {
-                        name,
-                        args,
-                        calls: vec![site],
-                    });
-                }
+            Some(launched) if launched.calls.contains(&site) => {}
+            Some(launched) => launched.calls.push(site),
+            None => {
+                let file = call.call.through.first().unwrap_or(&call.call.caller);
+                let name = file
+                    .file_name()
+                    .unwrap_or_default()
+                    .to_string_lossy()
+                    .into_owned();
+                let further = format!("{name} (");
+                let is_of_file =
+                    |known: &&Launched| known.name == name || known.name.starts_with(&further);
+                let name = match found.iter().filter(is_of_file).count() {
+                    0 => name,
+                    before => format!("{further}{})", before + 1),
+                };
+                found.push(Launched {
+                    name,
+                    args,
+                    calls: vec![site],
+                });
             }
         }
-        found
     }
+    found
+}
 
-    /// The distinct calls of a robot, for somebody who picks one.
-    pub fn launched_roots(&self, robot: &Path) -> Vec<RootConfig> {
-        let choice = |launched: Launched| RootConfig {
-            file: robot.to_owned(),
-            args: launched.args,
-            preset: Some(launched.name),
-        };
-        self.launched(robot, &[])
-            .into_iter()
-            .take(CALL_RUNS)
-            .map(choice)
-            .collect()
-    }
+/// The distinct calls of a robot, for somebody who picks one.
+pub fn launched_roots(session: &Session, robot: &Path) -> Vec<RootConfig> {
+    let choice = |launched: Launched| RootConfig {
+        file: robot.to_owned(),
+        args: launched.args,
+        preset: Some(launched.name),
+    };
+    distinct_calls(session, robot, &[])
+        .into_iter()
+        .take(CALL_RUNS)
+        .map(choice)
+        .collect()
+}
 
-    /// The arguments of a call, where all of them are known.
-    fn known_args(&self, call: &RobotCall) -> Option<XacroArgs> {
-        let value = |argument: &workspace::launch::CallArgument| {
-            let value = argument.given(&self.packages, &call.call.caller)?;
-            Some((argument.name.clone(), value))
-        };
-        if call.call.open {
-            None
-        } else {
-            let given = call
-                .call
-                .args
-                .iter()
-                .filter(|argument| !argument.is_left_out());
-            given.map(value).collect()
-        }
-    }
-
-    /// The expansions to be made for calls, beside those with defaults: at most [`CALL_RUNS`] for each robot.
-    pub(super) fn launched_tasks(&self, results: &[RootResult]) -> Vec<CheckTask> {
-        let with_arguments = results.iter().filter(|result| {
-            let reads_some =
-                !result.arguments.is_empty() || result.findings.iter().any(is_not_given);
-            reads_some && !self.is_configured(&result.task.file)
-        });
-        with_arguments
-            .flat_map(|result| self.launched_tasks_of(result))
-            .collect()
-    }
-
-    /// Whether the configuration says with which arguments a file is expanded.
-    fn is_configured(&self, file: &Path) -> bool {
-        let settings = self.settings(file);
-        settings
-            .config
-            .roots
+/// The arguments of a call, where all of them are known.
+fn known_args(session: &Session, call: &RobotCall) -> Option<XacroArgs> {
+    let value = |argument: &workspace::launch::CallArgument| {
+        let value = argument.given(&session.packages, &call.call.caller)?;
+        Some((argument.name.clone(), value))
+    };
+    if call.call.open {
+        None
+    } else {
+        let given = call
+            .call
+            .args
             .iter()
-            .any(|root| root.files(&self.vfs).iter().any(|own| own == file))
+            .filter(|argument| !argument.is_left_out());
+        given.map(value).collect()
     }
+}
 
-    fn launched_tasks_of(&self, result: &RootResult) -> Vec<CheckTask> {
-        let has = |(name, value): &(String, String)| {
-            result
-                .arguments
-                .iter()
-                .any(|(own, default)| own == name && default == value)
-        };
-        let is_other = |launched: &Launched| result.is_as_called || !launched.args.iter().all(has);
-        let (mut others, defaults): (Vec<_>, Vec<_>) = self
-            .launched(&result.task.file, &result.arguments)
+/// The expansions to be made for calls, beside those with defaults: at most [`CALL_RUNS`] for each robot.
+pub(super) fn launched_tasks(session: &Session, results: &[RootResult]) -> Vec<CheckTask> {
+    let with_arguments = results.iter().filter(|result| {
+        let reads_some = !result.arguments.is_empty() || result.findings.iter().any(is_not_given);
+        reads_some && !is_configured(session, &result.task.file)
+    });
+    with_arguments
+        .flat_map(|result| launched_tasks_of(session, result))
+        .collect()
+}
+
+/// Whether the configuration says with which arguments a file is expanded.
+fn is_configured(session: &Session, file: &Path) -> bool {
+    let settings = session.settings(file);
+    settings
+        .config
+        .roots
+        .iter()
+        .any(|root| root.files(&session.vfs).iter().any(|own| own == file))
+}
+
+fn launched_tasks_of(session: &Session, result: &RootResult) -> Vec<CheckTask> {
+    let has = |(name, value): &(String, String)| {
+        result
+            .arguments
+            .iter()
+            .any(|(own, default)| own == name && default == value)
+    };
+    let is_other = |launched: &Launched| result.is_as_called || !launched.args.iter().all(has);
+    let (mut others, defaults): (Vec<_>, Vec<_>) =
+        distinct_calls(session, &result.task.file, &result.arguments)
             .into_iter()
             .partition(is_other);
-        let are_all = others.len() <= CALL_RUNS
-            && defaults.is_empty()
-            && self.is_loaded_by_known_calls(&result.task.file);
-        others.truncate(CALL_RUNS);
-        let of = others
-            .iter()
-            .chain(&defaults)
-            .map(|launched| launched.calls.len())
-            .sum();
-        let task = |launched: Launched| CheckTask {
-            args: launched.args,
-            preset: Some(launched.name),
-            called: Some(LaunchCallSites {
-                calls: launched.calls,
-                of,
-                are_all,
-            }),
-            ..result.task.clone()
-        };
-        others.into_iter().map(task).collect()
-    }
+    let are_all = others.len() <= CALL_RUNS
+        && defaults.is_empty()
+        && is_loaded_by_known_calls(session, &result.task.file);
+    others.truncate(CALL_RUNS);
+    let of = others
+        .iter()
+        .chain(&defaults)
+        .map(|launched| launched.calls.len())
+        .sum();
+    let task = |launched: Launched| CheckTask {
+        args: launched.args,
+        preset: Some(launched.name),
+        called: Some(LaunchCallSites {
+            calls: launched.calls,
+            of,
+            are_all,
+        }),
+        ..result.task.clone()
+    };
+    others.into_iter().map(task).collect()
+}
 
-    /// Whether launch files and programs load a robot only by calls of which all arguments are known.
-    fn is_loaded_by_known_calls(&self, robot: &Path) -> bool {
-        let all = self.robot_calls(robot);
-        let mut own = all
-            .iter()
-            .filter(|call| call.target.as_deref() == Some(robot));
-        let calls = |path: &Path| all.iter().any(|call| call.call.caller == path);
-        own.all(|call| self.known_args(call).is_some())
-            && !self.callers.load_where(robot, |path| !calls(path))
-    }
+/// Whether launch files and programs load a robot only by calls of which all arguments are known.
+fn is_loaded_by_known_calls(session: &Session, robot: &Path) -> bool {
+    let all = session.robot_calls(robot);
+    let mut own = all
+        .iter()
+        .filter(|call| call.target.as_deref() == Some(robot));
+    let calls = |path: &Path| all.iter().any(|call| call.call.caller == path);
+    own.all(|call| known_args(session, call).is_some())
+        && !session.callers.load_where(robot, |path| !calls(path))
+}
 
-    /// Take the errors about arguments that a call does not give out of the robots: they belong to the launch files. A robot
-    /// that no call gives an argument has the error itself.
-    pub(super) fn missing_arguments(&self, results: &mut [RootResult]) -> Vec<Finding> {
-        let lacking = |result: &RootResult| -> Vec<(PathBuf, Span)> {
-            let findings = result
-                .findings
-                .iter()
-                .filter(|finding| is_not_given(finding));
-            findings
-                .map(|finding| (result.task.file.clone(), finding.span))
-                .collect()
+/// Take the errors about arguments that a call does not give out of the robots: they belong to the launch files. A robot
+/// that no call gives an argument has the error itself.
+pub(super) fn missing_arguments(results: &mut [RootResult]) -> Vec<Finding> {
+    let lacking = |result: &RootResult| -> Vec<(PathBuf, Span)> {
+        let findings = result
+            .findings
+            .iter()
+            .filter(|finding| is_not_given(finding));
+        findings
+            .map(|finding| (result.task.file.clone(), finding.span))
+            .collect()
+    };
+    let as_written = results.iter().filter(|result| result.task.called.is_none());
+    let always: FastSet<(PathBuf, Span)> = as_written.flat_map(lacking).collect();
+    let mut found: FastMap<(Span, String), Finding> = FastMap::default();
+    for result in results {
+        let Some(called) = &result.task.called else {
+            continue;
         };
-        let as_written = results.iter().filter(|result| result.task.called.is_none());
-        let always: FastSet<(PathBuf, Span)> = as_written.flat_map(lacking).collect();
-        let mut found: FastMap<(Span, String), Finding> = FastMap::default();
-        for result in results {
-            let Some(called) = &result.task.called else {
-                continue;
+        let file = &result.task.file;
+        result.findings.retain(|finding| {
+            let Some(name) = not_given(finding) else {
+                return true;
             };
-            let file = &result.task.file;
-            result.findings.retain(|finding| {
-                let Some(name) = not_given(finding) else {
-                    return true;
-                };
-                if always.contains(&(file.clone(), finding.span)) {
-                    return true;
-                }
-                for &call in &called.calls {
-                    let missing = || missing_launch_argument(call, name, file, finding.span);
-                    found.entry((call, name.to_owned())).or_insert_with(missing);
-                }
-                false
-            });
-        }
-        found.into_values().collect()
+            if always.contains(&(file.clone(), finding.span)) {
+                return true;
+            }
+            for &call in &called.calls {
+                let missing = || missing_launch_argument(call, name, file, finding.span);
+                found.entry((call, name.to_owned())).or_insert_with(missing);
+            }
+            false
+        });
     }
+    found.into_values().collect()
 }
 
 /// Of robots that fail with their defaults, what the calls say counts.
@@ -299,7 +301,7 @@ mod tests {
             args,
             ..CheckOptions::default()
         };
-        let report = session.check(&options);
+        let report = crate::check(&session, &options);
         let found = report
             .findings
             .iter()

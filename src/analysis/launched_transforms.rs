@@ -2,6 +2,7 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+use super::kept::is_launch_left_over;
 use super::root_analysis::task_of;
 use super::root_config::RootConfig;
 use super::run_task;
@@ -45,7 +46,7 @@ impl<'s> LaunchedTransforms<'s> {
         let asked = transforms.iter().filter(|PublishedTransform { file, .. }| {
             is_asked(file)
                 && !session.settings(file).excludes(file)
-                && !session.is_launch_left_over(file)
+                && !is_launch_left_over(session, file)
         });
         let mut found = Vec::new();
         for published in asked {

@@ -1,6 +1,7 @@
 //! What is wrong in descriptions that belong to no package.
 use std::path::Path;
 
+use super::includers::holds_above;
 use super::session::Session;
 use rules::{Category, Finding, Severity, Trait};
 use workspace::Purpose;
@@ -15,7 +16,7 @@ pub(super) fn settle_outside_packages(session: &Session, file: &Path, findings: 
     if !findings.iter().any(is_warning) || !is_outside_packages(session, file) {
         return;
     }
-    let is_loaded = !session.holds_above(file, |file| !session.callers.load(file));
+    let is_loaded = !holds_above(session, file, |file| !session.callers.load(file));
     let purpose = session
         .callers
         .purpose(file, |_| false)
@@ -35,11 +36,24 @@ pub(super) fn settle_outside_packages(session: &Session, file: &Path, findings: 
 fn is_outside_packages(session: &Session, file: &Path) -> bool {
     let is_free = |file: &Path| {
         session.packages.containing(file).is_none()
-            && !session.is_of_rosbuild(file)
+            && !is_of_rosbuild(session, file)
             && !session.callers.launch(file)
     };
-    session.holds_above(file, is_free)
+    holds_above(session, file, is_free)
         && (session.callers.load_any(file) || session.callers.is_of_others(file))
+}
+
+/// Whether a file belongs to a package of rosbuild, whose xacro took tags without a prefix.
+pub(super) fn is_of_rosbuild(session: &Session, file: &Path) -> bool {
+    let top = session.packages.sources_around(file);
+    let inside = |folder: &&Path| top.as_ref().is_none_or(|top| folder.starts_with(top));
+    let has_manifest = |folder: &Path| session.vfs.is_file(&folder.join("manifest.xml"));
+    session.packages.containing(file).is_none()
+        && file
+            .ancestors()
+            .skip(1)
+            .take_while(inside)
+            .any(has_manifest)
 }
 
 /// Whether a finding is about something that every program reads which loads the robot.

@@ -7,11 +7,12 @@ fn check(tree: &Tree, changed: &[&str]) -> Report {
     let session = Session::new(&tree.environment(&[]), Setup::default()).unwrap();
     let changed = changed.iter().map(|name| tree.path(name)).collect();
     let paths = vec![tree.root().to_owned()];
-    grouped(session.check(&CheckOptions {
+    let options = CheckOptions {
         paths,
         changed,
         ..CheckOptions::default()
-    }))
+    };
+    grouped(crate::check(&session, &options))
 }
 
 /// Findings of a rule: severity, message, and the number of further places.

@@ -13,6 +13,7 @@ use super::plan::apply;
 use super::run_cache::{RunResult, RunSetting, Runs};
 use super::runs::run_once;
 use super::session::Session;
+use super::task_list::tasks_reading;
 use super::walk::is_description;
 use base::{CancelFlag, TextRange};
 use expand::Forced;
@@ -72,39 +73,43 @@ pub enum AffectedRobots {
     Searched(Arc<Candidates>),
 }
 
-impl Session {
-    /// Whether a claim about changes holds, as far as it can be proved.
-    pub(super) fn proves(&self, changed: &[Changed], claim: Claim, effort: &Effort) -> bool {
-        let open: Vec<&Changed> = changed
-            .iter()
-            .filter(|changed| !changed.is_same_by_text())
-            .collect();
-        open.is_empty() || Trial::new(self, open, effort).is_some_and(|trial| trial.holds(claim))
-    }
+/// Whether a claim about changes holds, as far as it can be proved.
+pub(super) fn proves(
+    session: &Session,
+    changed: &[Changed],
+    claim: Claim,
+    effort: &Effort,
+) -> bool {
+    let open: Vec<&Changed> = changed
+        .iter()
+        .filter(|changed| !changed.is_same_by_text())
+        .collect();
+    open.is_empty() || Trial::new(session, open, effort).is_some_and(|trial| trial.holds(claim))
+}
 
-    /// Whether every robot stays what it is when texts of a file are replaced; they are in order and do not overlap.
-    pub fn expansion_unchanged(
-        &self,
-        path: &Path,
-        edits: Vec<(TextRange, String)>,
-        effort: &Effort,
-    ) -> bool {
-        let Ok(source) = self.vfs.document(path) else {
-            return false;
-        };
-        let old = source.document.text();
-        let new = apply(&old, &edits);
-        self.proves(
-            &[Changed {
-                path: source.path.clone(),
-                old,
-                new,
-                edits,
-            }],
-            Claim::Same,
-            effort,
-        )
-    }
+/// Whether every robot stays what it is when texts of a file are replaced; they are in order and do not overlap.
+pub fn expansion_unchanged(
+    session: &Session,
+    path: &Path,
+    edits: Vec<(TextRange, String)>,
+    effort: &Effort,
+) -> bool {
+    let Ok(source) = session.vfs.document(path) else {
+        return false;
+    };
+    let old = source.document.text();
+    let new = apply(&old, &edits);
+    proves(
+        session,
+        &[Changed {
+            path: source.path.clone(),
+            old,
+            new,
+            edits,
+        }],
+        Claim::Same,
+        effort,
+    )
 }
 
 impl Changed {
@@ -229,7 +234,7 @@ impl<'a> Trial<'a> {
         let mut folders: Vec<PathBuf> = files.iter().filter_map(around).collect();
         folders.sort();
         folders.dedup();
-        known.reading(session, folders, files)
+        tasks_reading(known, session, folders, files)
     }
 
     /// What an expansion gives before; none when the claim does not hold for it.

@@ -4,6 +4,7 @@
 //! Source: `evaluate_parameters.py` of launch_ros; `gazebo_ros2_control_plugin.cpp` on the branches `humble` and `iron`.
 use std::path::Path;
 
+use super::kept::is_launch_left_over;
 use super::session::Session;
 use base::{FileId, Span, TextRange};
 use expand::{Expansion, MapEntry, MapKind, Origin, Written, XId, write_mapped};
@@ -161,7 +162,7 @@ fn launch_file(session: &Session, file: &Path) -> Option<YamlReader> {
     let is_untyped = |call: &&RobotCall| {
         call.call.is_read_as_yaml
             && call.target.as_deref() == Some(file)
-            && !session.is_launch_left_over(&call.call.caller)
+            && !is_launch_left_over(session, &call.call.caller)
     };
     let call = &calls.iter().find(is_untyped)?.call;
     let file = session.vfs.file_id(&call.caller);

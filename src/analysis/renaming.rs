@@ -60,40 +60,38 @@ pub struct Obstacle {
     pub difference: Option<String>,
 }
 
-impl Session {
-    /// The first of these robots that would be another one, or refused for other reasons, with texts replaced.
-    pub fn changed_robot(
-        &self,
-        replaced: Replaced,
-        roots: &[RootConfig],
-        name: NewName<'_>,
-        cancel: &CancelFlag,
-    ) -> Option<Obstacle> {
-        let changed = replaced.into_iter().filter_map(|(path, mut edits)| {
-            edits.sort_by_key(|(range, _)| range.start);
-            let source = self.vfs.document(&path).ok()?;
-            let old = source.document.text();
-            let new = apply(&old, &edits);
-            Some(Changed {
-                path: source.path.clone(),
-                old,
-                new,
-                edits,
-            })
-        });
-        let changed: Vec<Changed> = changed.collect();
-        let effort = Effort {
-            expansions: 0,
-            roots: AffectedRobots::Known(Vec::new()),
-            cancel: cancel.clone(),
-        };
-        let trial = Trial::new(self, changed.iter().collect(), &effort)?;
-        let mut left = MOST_FORCED;
-        roots
-            .iter()
-            .map(task_of)
-            .find_map(|task| obstacle(&trial, &task, name, &mut left))
-    }
+/// The first of these robots that would be another one, or refused for other reasons, with texts replaced.
+pub fn changed_robot(
+    session: &Session,
+    replaced: Replaced,
+    roots: &[RootConfig],
+    name: NewName<'_>,
+    cancel: &CancelFlag,
+) -> Option<Obstacle> {
+    let changed = replaced.into_iter().filter_map(|(path, mut edits)| {
+        edits.sort_by_key(|(range, _)| range.start);
+        let source = session.vfs.document(&path).ok()?;
+        let old = source.document.text();
+        let new = apply(&old, &edits);
+        Some(Changed {
+            path: source.path.clone(),
+            old,
+            new,
+            edits,
+        })
+    });
+    let changed: Vec<Changed> = changed.collect();
+    let effort = Effort {
+        expansions: 0,
+        roots: AffectedRobots::Known(Vec::new()),
+        cancel: cancel.clone(),
+    };
+    let trial = Trial::new(session, changed.iter().collect(), &effort)?;
+    let mut left = MOST_FORCED;
+    roots
+        .iter()
+        .map(task_of)
+        .find_map(|task| obstacle(&trial, &task, name, &mut left))
 }
 
 /// Whether a robot would be another one, and under which condition.

@@ -4,15 +4,14 @@
 //! that are added there. So such findings are judged by the role of the file.
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 use ecow::EcoString;
-use rayon::prelude::*;
 
 use super::check_task::{CheckReason, CheckTask};
-use super::includes::Included;
+use super::declared::KnownArguments;
+use super::graph;
+use super::includers::{included_around, includers, is_included};
 use super::session::Session;
-use super::{graph, walk};
 use base::FastSet;
 use expand::{Expansion, Outside, ProblemKind};
 use model::Robot;
@@ -48,293 +47,258 @@ pub(super) struct CheckedExpansion<'a> {
     pub(super) robot: Option<&'a Robot>,
 }
 
-impl Session {
-    /// Of findings that hold only as long as a file stands alone, keep what is true in its role.
-    pub(super) fn settle_by_role(
-        &self,
-        checked: &CheckedExpansion<'_>,
-        findings: &mut Vec<Finding>,
-    ) {
-        if !findings.iter().any(depends_on_role) {
-            return;
-        }
-        let role = self.role(checked, findings);
-        let is_alone = checked.task.reason == CheckReason::Alone;
-        let mut noted = FastSet::default();
-        findings.retain_mut(|finding| match verdict(role, finding) {
-            // what has no value here: the answer to whether the file works
-            FindingAction::Note if is_alone && finding.outside == Some(Outside::Environment) => {
-                true
-            }
-            FindingAction::Keep
-                if role == Role::Root && self.may_get_elsewhere(checked.task, finding) =>
-            {
-                finding.severity = finding.severity.min(Severity::Info);
-                noted.insert((
-                    finding.rule.code,
-                    finding.span.file,
-                    finding.message.clone(),
-                ))
-            }
-            FindingAction::Keep => true,
-            FindingAction::Drop => false,
-            FindingAction::Set(severity) => {
-                finding.severity = finding.severity.min(severity);
-                true
-            }
-            FindingAction::Note => {
-                finding.severity = finding.severity.min(Severity::Info);
-                noted.insert((
-                    finding.rule.code,
-                    finding.span.file,
-                    finding.message.clone(),
-                ))
-            }
-        });
+/// Of findings that hold only as long as a file stands alone, keep what is true in its role.
+pub(super) fn settle_by_role(
+    session: &Session,
+    checked: &CheckedExpansion<'_>,
+    findings: &mut Vec<Finding>,
+) {
+    if !findings.iter().any(depends_on_role) {
+        return;
     }
-
-    /// What to report of a file that is a robot but for its name: it gives one tree, which is of more than one link unless the
-    /// file is checked by itself, and nothing includes it.
-    pub(super) fn nameless(&self, checked: &CheckedExpansion<'_>) -> Option<Finding> {
-        let CheckedExpansion {
-            task,
-            kind,
-            expansion,
-            robot,
-        } = *checked;
-        let robot = robot.filter(|robot| kind == RootKind::Library && robot.lacks_only_a_name())?;
-        let is_tree = (!robot.joints.is_empty() || task.reason == CheckReason::Alone)
-            && robot.names_are_known()
-            && above_fragment(robot).is_none()
-            && robot.kinematics().roots(robot).len() == 1;
-        let is_open = !expansion.whole || !is_tree || self.is_included(&task.file);
-        if is_open {
-            None
-        } else {
-            missing_robot_name(expansion, robot)
-        }
-    }
-
-    fn role(&self, checked: &CheckedExpansion<'_>, findings: &[Finding]) -> Role {
-        match self.role_by_itself(checked, findings) {
-            Role::Root
-                if checked.task.reason == CheckReason::Walked
-                    && self.is_for_another(&checked.task.file) =>
-            {
-                Role::Part
-            }
-            role => role,
-        }
-    }
-
-    /// The role of a file, whatever launch files give to other robots.
-    fn role_by_itself(&self, checked: &CheckedExpansion<'_>, findings: &[Finding]) -> Role {
-        let CheckedExpansion {
-            task,
-            kind,
-            expansion,
-            robot,
-        } = *checked;
-        if task.reason == CheckReason::Root {
-            return Role::Root;
-        }
-        let document = expansion.files.first().map(|file| &file.source.document);
-        let gives_robot = kind == RootKind::Robot || document.is_some_and(graph::gives_robot);
-        if self.is_included(&task.file) {
-            return if gives_robot && self.callers.name(&task.file) {
-                Role::Root
-            } else {
-                Role::Part
-            };
-        }
-        if task.reason == CheckReason::Alone {
-            return Role::Root;
-        }
-        // a file in xacro without content is one that somebody has yet to write
-        if !is_plain_urdf(&task.file)
-            && robot.is_some_and(|robot| robot.links.is_empty() && robot.joints.is_empty())
-            && !document.is_some_and(graph::gives_robot)
-            && !self.callers.name(&task.file)
+    let role = role(session, checked, findings);
+    let is_alone = checked.task.reason == CheckReason::Alone;
+    let mut noted = FastSet::default();
+    findings.retain_mut(|finding| match verdict(role, finding) {
+        // what has no value here: the answer to whether the file works
+        FindingAction::Note if is_alone && finding.outside == Some(Outside::Environment) => true,
+        FindingAction::Keep
+            if role == Role::Root && may_get_elsewhere(session, checked.task, finding) =>
         {
-            return Role::Unknown;
+            finding.severity = finding.severity.min(Severity::Info);
+            noted.insert((
+                finding.rule.code,
+                finding.span.file,
+                finding.message.clone(),
+            ))
         }
-        let missing = robot.and_then(above_fragment);
-        // whoever names the file together with the link attaches it there
-        let is_whole = |link: &EcoString| {
-            has_misspelled_link(findings)
-                || self.callers.name(&task.file) && !self.callers.mention(&task.file, link)
-        };
-        if gives_robot && missing.is_none_or(is_whole) {
+        FindingAction::Keep => true,
+        FindingAction::Drop => false,
+        FindingAction::Set(severity) => {
+            finding.severity = finding.severity.min(severity);
+            true
+        }
+        FindingAction::Note => {
+            finding.severity = finding.severity.min(Severity::Info);
+            noted.insert((
+                finding.rule.code,
+                finding.span.file,
+                finding.message.clone(),
+            ))
+        }
+    });
+}
+
+/// What to report of a file that is a robot but for its name: it gives one tree, which is of more than one link unless the
+/// file is checked by itself, and nothing includes it.
+pub(super) fn nameless(session: &Session, checked: &CheckedExpansion<'_>) -> Option<Finding> {
+    let CheckedExpansion {
+        task,
+        kind,
+        expansion,
+        robot,
+    } = *checked;
+    let robot = robot.filter(|robot| kind == RootKind::Library && robot.lacks_only_a_name())?;
+    let is_tree = (!robot.joints.is_empty() || task.reason == CheckReason::Alone)
+        && robot.names_are_known()
+        && above_fragment(robot).is_none()
+        && robot.kinematics().roots(robot).len() == 1;
+    let is_open = !expansion.whole || !is_tree || is_included(session, &task.file);
+    if is_open {
+        None
+    } else {
+        missing_robot_name(expansion, robot)
+    }
+}
+
+fn role(session: &Session, checked: &CheckedExpansion<'_>, findings: &[Finding]) -> Role {
+    match role_by_itself(session, checked, findings) {
+        Role::Root
+            if checked.task.reason == CheckReason::Walked
+                && is_for_another(session, &checked.task.file) =>
+        {
+            Role::Part
+        }
+        role => role,
+    }
+}
+
+/// The role of a file, whatever launch files give to other robots.
+fn role_by_itself(session: &Session, checked: &CheckedExpansion<'_>, findings: &[Finding]) -> Role {
+    let CheckedExpansion {
+        task,
+        kind,
+        expansion,
+        robot,
+    } = *checked;
+    if task.reason == CheckReason::Root {
+        return Role::Root;
+    }
+    let document = expansion.files.first().map(|file| &file.source.document);
+    let gives_robot = kind == RootKind::Robot || document.is_some_and(graph::gives_robot);
+    if is_included(session, &task.file) {
+        return if gives_robot && session.callers.name(&task.file) {
             Role::Root
         } else {
-            Role::Unknown
-        }
-    }
-
-    /// Whether what a robot lacks may come from somewhere else: nobody in the workspace names the file, and it is of a
-    /// package, so that others may give its arguments, or other files define the property that it reads.
-    fn may_get_elsewhere(&self, task: &CheckTask, finding: &Finding) -> bool {
-        if matches!(task.reason, CheckReason::Root | CheckReason::Alone) || finding.fix.is_some() {
-            return false;
-        }
-        let name = || {
-            let source = self.vfs.document(&self.vfs.path(finding.span.file));
-            source.map(|source| source.document.slice(finding.span.range))
+            Role::Part
         };
-        let is_undefined_arg = finding.problem == Some(ProblemKind::UndefinedArg);
-        if is_undefined_arg && name().is_ok_and(|name| self.is_key_beside(&task.file, &name)) {
-            return true;
+    }
+    if task.reason == CheckReason::Alone {
+        return Role::Root;
+    }
+    // a file in xacro without content is one that somebody has yet to write
+    if !is_plain_urdf(&task.file)
+        && robot.is_some_and(|robot| robot.links.is_empty() && robot.joints.is_empty())
+        && !document.is_some_and(graph::gives_robot)
+        && !session.callers.name(&task.file)
+    {
+        return Role::Unknown;
+    }
+    let missing = robot.and_then(above_fragment);
+    // whoever names the file together with the link attaches it there
+    let is_whole = |link: &EcoString| {
+        has_misspelled_link(findings)
+            || session.callers.name(&task.file) && !session.callers.mention(&task.file, link)
+    };
+    if gives_robot && missing.is_none_or(is_whole) {
+        Role::Root
+    } else {
+        Role::Unknown
+    }
+}
+
+/// Whether what a robot lacks may come from somewhere else: nobody in the workspace names the file, and it is of a
+/// package, so that others may give its arguments, or other files define the property that it reads.
+fn may_get_elsewhere(session: &Session, task: &CheckTask, finding: &Finding) -> bool {
+    if matches!(task.reason, CheckReason::Root | CheckReason::Alone) || finding.fix.is_some() {
+        return false;
+    }
+    let name = || {
+        let source = session.vfs.document(&session.vfs.path(finding.span.file));
+        source.map(|source| source.document.slice(finding.span.range))
+    };
+    let is_undefined_arg = finding.problem == Some(ProblemKind::UndefinedArg);
+    if is_undefined_arg && name().is_ok_and(|name| is_key_beside(session, &task.file, &name)) {
+        return true;
+    }
+    let is_open = match (&finding.outside, finding.problem) {
+        (Some(Outside::Argument(_)), Some(ProblemKind::UndefinedArg)) => {
+            session.packages.containing(&task.file).is_some()
         }
-        let is_open = match (&finding.outside, finding.problem) {
-            (Some(Outside::Argument(_)), Some(ProblemKind::UndefinedArg)) => {
-                self.packages.containing(&task.file).is_some()
-            }
-            (Some(Outside::Includer), Some(ProblemKind::UndefinedProperty)) => {
-                name().is_ok_and(|name| {
-                    self.included_around(&task.file)
-                        .is_some_and(|all| all.defines(&name))
-                })
-            }
-            _ => false,
-        };
-        // a table of files in a page leaves nothing out
-        is_open
-            && match finding.problem {
-                Some(ProblemKind::UndefinedArg) => {
-                    !self.callers.load(&task.file) && !self.callers.tell_to_use(&task.file)
-                }
-                // who only writes of a file does not expand it
-                _ => {
-                    !self.callers.name(&task.file)
-                        || !self.is_expanded(&task.file)
-                            && name().is_ok_and(|name| self.is_defined_above(&task.file, &name))
-                }
-            }
-    }
-
-    /// Whether a YAML file of its package has a key of that name, beside keys with the names of other arguments of the robot: a program
-    /// reads it for xacro.
-    fn is_key_beside(&self, file: &Path, name: &str) -> bool {
-        /// With fewer other arguments, the key may be about anything.
-        const OTHERS: usize = 2;
-        let Some(package) = self.packages.containing(file) else {
-            return false;
-        };
-        let keys = |text: &str| -> FastSet<String> {
-            let keys = text.lines().filter_map(|line| line.split_once(':'));
-            keys.map(|(key, _)| key.trim_start_matches([' ', '-']).trim_end().to_owned())
-                .collect()
-        };
-        let known = self.known(file).names;
-        let has_keys = |text: &str| {
-            let keys = keys(text);
-            let others = known
-                .iter()
-                .filter(|other| *other != name && keys.contains(other.as_str()));
-            keys.contains(name) && others.count() >= OTHERS
-        };
-        let around = self.callers.beside(file);
-        let mut own = around.iter().filter(|path| {
-            let ending = path.extension().and_then(OsStr::to_str);
-            path.starts_with(&package.folder) && matches!(ending, Some("yaml" | "yml"))
-        });
-        own.any(|path| self.packages.is_text(path, has_keys))
-    }
-
-    /// Whether a launch file expands a file by itself.
-    fn is_called(&self, file: &Path) -> bool {
-        let calls = self.callers.calls(file);
-        calls
-            .iter()
-            .any(|call| call.target.as_deref() == Some(file))
-    }
-
-    /// Whether a text runs xacro on a file by itself.
-    fn is_expanded(&self, file: &Path) -> bool {
-        let name = file.file_name().unwrap_or_default().to_string_lossy();
-        self.is_called(file) || self.callers.quote(file, &format!("xacro {name}"))
-    }
-
-    /// Whether a file that includes this one, whatever the condition around the include, defines a property.
-    fn is_defined_above(&self, file: &Path, name: &str) -> bool {
-        let mut open = self.includers(file);
-        let mut seen: FastSet<PathBuf> = FastSet::default();
-        while let Some(file) = open.pop() {
-            let defines = self.vfs.document(&file).is_ok_and(|source| {
-                let nodes = source
-                    .document
-                    .parts()
-                    .flat_map(|(_, item)| item.all_nodes());
-                let mut properties = nodes.filter(|node| node.name() == "xacro:property");
-                properties.any(|node| node.attr("name").is_some_and(|own| own.raw() == name))
-            });
-            if defines {
-                return true;
-            }
-            let above = self.includers(&file);
-            if seen.insert(file) {
-                open.extend(above.into_iter().filter(|file| !seen.contains(file)));
-            }
-        }
-        false
-    }
-
-    /// Whether a file of the workspace includes this one, whatever the condition around the include.
-    pub(super) fn is_included(&self, file: &Path) -> bool {
-        self.included_around(file)
-            .is_some_and(|included| included.has(file))
-    }
-
-    /// Whether a launch file gives a file to another robot, which includes what it is given.
-    fn is_for_another(&self, file: &Path) -> bool {
-        if self.is_passed(file) {
-            return true;
-        }
-        if self.is_called(file) {
-            return false;
-        }
-        let included = self.included_around(file);
-        let mut given = included.iter().flat_map(|all| all.given());
-        given.any(|name| self.callers.quote(file, &format!("{name}:=")))
-    }
-
-    /// Whether a launch file gives a file to another robot, as the value of an argument.
-    fn is_passed(&self, file: &Path) -> bool {
-        let calls = self.callers.calls(file);
-        let mut others = calls
-            .iter()
-            .filter(|call| call.target.as_deref() != Some(file));
-        others.any(|call| {
-            call.call.args.iter().any(|argument| {
-                let value = argument.value.path(&self.packages, &call.call.caller);
-                value.as_deref() == Some(file)
+        (Some(Outside::Includer), Some(ProblemKind::UndefinedProperty)) => {
+            name().is_ok_and(|name| {
+                included_around(session, &task.file).is_some_and(|all| all.defines(&name))
             })
-        })
-    }
+        }
+        _ => false,
+    };
+    // a table of files in a page leaves nothing out
+    is_open
+        && match finding.problem {
+            Some(ProblemKind::UndefinedArg) => {
+                !session.callers.load(&task.file) && !session.callers.tell_to_use(&task.file)
+            }
+            // who only writes of a file does not expand it
+            _ => {
+                !session.callers.name(&task.file)
+                    || !is_expanded(session, &task.file)
+                        && name().is_ok_and(|name| is_defined_above(session, &task.file, &name))
+            }
+        }
+}
 
-    /// The files of the workspace that include this one.
-    pub(super) fn includers(&self, file: &Path) -> Vec<PathBuf> {
-        let all = self.included_around(file);
-        let mut found: Vec<PathBuf> = all
+/// Whether a YAML file of its package has a key of that name, beside keys with the names of other arguments of the robot: a program
+/// reads it for xacro.
+fn is_key_beside(session: &Session, file: &Path, name: &str) -> bool {
+    /// With fewer other arguments, the key may be about anything.
+    const OTHERS: usize = 2;
+    let Some(package) = session.packages.containing(file) else {
+        return false;
+    };
+    let keys = |text: &str| -> FastSet<String> {
+        let keys = text.lines().filter_map(|line| line.split_once(':'));
+        keys.map(|(key, _)| key.trim_start_matches([' ', '-']).trim_end().to_owned())
+            .collect()
+    };
+    let known = KnownArguments::of(session, file).names;
+    let has_keys = |text: &str| {
+        let keys = keys(text);
+        let others = known
             .iter()
-            .flat_map(|all| all.includers(file))
-            .map(Path::to_owned)
-            .collect();
-        found.sort();
-        found
-    }
+            .filter(|other| *other != name && keys.contains(other.as_str()));
+        keys.contains(name) && others.count() >= OTHERS
+    };
+    let around = session.callers.beside(file);
+    let mut own = around.iter().filter(|path| {
+        let ending = path.extension().and_then(OsStr::to_str);
+        path.starts_with(&package.folder) && matches!(ending, Some("yaml" | "yml"))
+    });
+    own.any(|path| session.packages.is_text(path, has_keys))
+}
 
-    /// What the descriptions of the workspace around a file include.
-    fn included_around(&self, file: &Path) -> Option<Arc<Included>> {
-        let top = self.packages.sources_around(file)?;
-        Some(self.included_below(&top, || {
-            let files = walk::all_descriptions(&top, &self.vfs, &self.env);
-            let sources = files
-                .par_iter()
-                .filter_map(|file| self.vfs.document(file).ok());
-            Arc::new(Included::of_files(sources.collect(), &self.packages))
-        }))
+/// Whether a launch file expands a file by itself.
+fn is_called(session: &Session, file: &Path) -> bool {
+    let calls = session.callers.calls(file);
+    calls
+        .iter()
+        .any(|call| call.target.as_deref() == Some(file))
+}
+
+/// Whether a text runs xacro on a file by itself.
+fn is_expanded(session: &Session, file: &Path) -> bool {
+    let name = file.file_name().unwrap_or_default().to_string_lossy();
+    is_called(session, file) || session.callers.quote(file, &format!("xacro {name}"))
+}
+
+/// Whether a file that includes this one, whatever the condition around the include, defines a property.
+fn is_defined_above(session: &Session, file: &Path, name: &str) -> bool {
+    let mut open = includers(session, file);
+    let mut seen: FastSet<PathBuf> = FastSet::default();
+    while let Some(file) = open.pop() {
+        let defines = session.vfs.document(&file).is_ok_and(|source| {
+            let nodes = source
+                .document
+                .parts()
+                .flat_map(|(_, item)| item.all_nodes());
+            let mut properties = nodes.filter(|node| node.name() == "xacro:property");
+            properties.any(|node| node.attr("name").is_some_and(|own| own.raw() == name))
+        });
+        if defines {
+            return true;
+        }
+        let above = includers(session, &file);
+        if seen.insert(file) {
+            open.extend(above.into_iter().filter(|file| !seen.contains(file)));
+        }
     }
+    false
+}
+
+/// Whether a launch file gives a file to another robot, which includes what it is given.
+fn is_for_another(session: &Session, file: &Path) -> bool {
+    if is_passed(session, file) {
+        return true;
+    }
+    if is_called(session, file) {
+        return false;
+    }
+    let included = included_around(session, file);
+    let mut given = included.iter().flat_map(|all| all.given());
+    given.any(|name| session.callers.quote(file, &format!("{name}:=")))
+}
+
+/// Whether a launch file gives a file to another robot, as the value of an argument.
+fn is_passed(session: &Session, file: &Path) -> bool {
+    let calls = session.callers.calls(file);
+    let mut others = calls
+        .iter()
+        .filter(|call| call.target.as_deref() != Some(file));
+    others.any(|call| {
+        call.call.args.iter().any(|argument| {
+            let value = argument.value.path(&session.packages, &call.call.caller);
+            value.as_deref() == Some(file)
+        })
+    })
 }
 
 /// Whether a finding may be false in a file that is not expanded by itself, or with other arguments.

@@ -36,7 +36,7 @@ fn check_roles_of(path: &str, files: &[(&str, &str)], expected: &[&str]) {
         paths: vec![tree.root().join(path)],
         ..CheckOptions::default()
     };
-    let report = session.check(&options);
+    let report = crate::check(&session, &options);
     let about_names = ["XAC0", "STR", "CTL", "XML001", "XML010"];
     let passed_over = ["nonstandard-xacro-namespace", "unused"];
     let found = report.findings.iter().filter(|finding| {

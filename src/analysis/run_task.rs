@@ -10,9 +10,10 @@ use super::configs::Settings;
 use super::cut::Cut;
 use super::options::CheckOptions;
 use super::read_as_yaml::read_as_yaml;
-use super::roles::CheckedExpansion;
+use super::roles::{CheckedExpansion, nameless, settle_by_role};
 use super::root_result::RootResult;
 use super::session::Session;
+use super::set_aside::settle_set_aside;
 use base::{CancelFlag, FastSet, FileId, Span, TextRange};
 use expand::{Expansion, FileUse, Forced, FrameKind, Origin, Read, Request, Sources, expand_again};
 use model::Robot;
@@ -148,13 +149,17 @@ pub(super) fn run_rules(
     if rules.contains(&named::DESCRIPTION_READ_AS_YAML) {
         findings.extend(read_as_yaml(session, &task.file, expansion));
     }
-    findings.extend(session.nameless(&CheckedExpansion {
-        task: &task,
-        kind,
-        expansion,
-        robot,
-    }));
-    session.settle_by_role(
+    findings.extend(nameless(
+        session,
+        &CheckedExpansion {
+            task: &task,
+            kind,
+            expansion,
+            robot,
+        },
+    ));
+    settle_by_role(
+        session,
         &CheckedExpansion {
             task: &task,
             kind,
@@ -163,7 +168,7 @@ pub(super) fn run_rules(
         },
         &mut findings,
     );
-    session.settle_set_aside(&task, (expansion, robot), &mut findings);
+    settle_set_aside(session, &task, (expansion, robot), &mut findings);
     let is_meant = is_meant_as_robot(expansion, kind);
     RootResult {
         is_robot: kind == RootKind::Robot,

@@ -163,38 +163,10 @@ impl Session {
         all.iter().filter(concerns).cloned().collect()
     }
 
-    /// The files around a path that may say something about robots.
-    pub(super) fn beside_around(&self, path: &Path) -> Arc<Vec<PathBuf>> {
-        let Some(top) = self.packages.sources_around(path) else {
-            return Arc::default();
-        };
-        if let Some(found) = locked(&self.beside).get(&top) {
-            return found.clone();
-        }
-        let mut found = self.callers.beside(path);
-        found.retain(|file| self.is_about_robots(file) && !self.settings(file).excludes(file));
-        locked(&self.beside)
-            .entry(top)
-            .or_insert(Arc::new(found))
-            .clone()
-    }
-
     /// Forget which robots the files beside them are for.
     pub(super) fn forget_pairings(&self) {
         self.pairings().clear();
-        locked(&self.beside).clear();
-    }
-
-    /// Whether a description is there for the tests of its package and nothing else.
-    pub(super) fn is_for_tests(&self, file: &Path) -> bool {
-        let includers = |file: &Path| self.includers(file);
-        self.callers.is_for_tests(file, includers)
-    }
-
-    /// Whether a file was copied with a repository of others, and nothing else in the workspace leads to it.
-    pub(super) fn is_unused_copy(&self, file: &Path) -> bool {
-        self.callers
-            .is_unused_copy(file, |file| self.includers(file))
+        self.known_beside().clear();
     }
 
     /// What the descriptions below a folder include, as `make` finds it the first time.
@@ -219,6 +191,11 @@ impl Session {
     /// The robots that files beside them are for, as far as somebody has asked.
     pub(super) fn pairings(&self) -> MutexGuard<'_, FastMap<PathBuf, Arc<Pairing>>> {
         locked(&self.pairings)
+    }
+
+    /// The files around sources that may say something about robots, as far as somebody has asked.
+    pub(super) fn known_beside(&self) -> MutexGuard<'_, FastMap<PathBuf, Arc<Vec<PathBuf>>>> {
+        locked(&self.beside)
     }
 
     /// Forget which files include and call others: some have come, gone or changed.

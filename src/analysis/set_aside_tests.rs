@@ -18,7 +18,7 @@ pub fn found(files: &[(&str, &str)], rule: &str) -> Vec<(String, Severity)> {
         paths: vec![tree.root().to_owned()],
         ..CheckOptions::default()
     };
-    let report = session.check(&options);
+    let report = crate::check(&session, &options);
     let of_rule = report
         .findings
         .iter()

@@ -26,10 +26,13 @@ pub(super) fn severity_below(
         ..Setup::default()
     };
     let session = Session::new(&tree.environment(&[]), setup).unwrap();
-    let report = session.check(&CheckOptions {
-        paths: vec![path],
-        ..CheckOptions::default()
-    });
+    let report = crate::check(
+        &session,
+        &CheckOptions {
+            paths: vec![path],
+            ..CheckOptions::default()
+        },
+    );
     let is_it = |finding: &&rules::Finding| {
         let path = session.vfs.path(finding.span.file);
         finding.rule.name == rule && (file.is_empty() || path.ends_with(file))

@@ -62,14 +62,14 @@ fn once(args: &CheckArgs, env: &Environment, io: &mut Io<'_>) -> Round {
     let Prepared {
         session, options, ..
     } = &prepared;
-    let parts = session.robots_of_parts(options).filter(|_| !args.changed);
+    let parts = analysis::robots_of_parts(session, options).filter(|_| !args.changed);
     let (options, part_of) = parts
         .as_ref()
         .map_or((options, &[] as &[PathBuf]), |(options, robots)| {
             (options, robots)
         });
     if args.show_files {
-        for file in session.files(options) {
+        for file in analysis::files_to_check(session, options) {
             io.out(&format!("{}\n", visible(&shown_path(&file, &env.cwd))));
         }
         return Round {
@@ -138,7 +138,7 @@ impl CheckRun<'_> {
     fn all(&self, io: &mut Io<'_>) -> (u8, BTreeSet<PathBuf>) {
         let (session, options) = (self.session, self.options);
         if !self.args.fix && !self.args.diff {
-            let mut report = watched(io, &options.progress, || session.check(options));
+            let mut report = watched(io, &options.progress, || analysis::check(session, options));
             let reads = std::mem::take(&mut report.reads);
             self.warn_about_arguments(&report, io);
             return (self.finish(report, "", io), reads);
@@ -152,7 +152,9 @@ impl CheckRun<'_> {
             most,
             shown: least_shown(self.args),
         };
-        let fixed = watched(io, &options.progress, || session.fix(options, how));
+        let fixed = watched(io, &options.progress, || {
+            analysis::fix(session, options, how)
+        });
         if self.args.diff {
             return (self.diff(fixed, io), BTreeSet::new());
         }
@@ -180,9 +182,8 @@ impl CheckRun<'_> {
 
     /// Name the arguments of the command line that no robot knows: xacro ignores them without a word.
     fn warn_about_arguments(&self, report: &Report, io: &mut Io<'_>) {
-        for (name, near) in self
-            .session
-            .undeclared_arguments(&report.roots, &self.options.args)
+        for (name, near) in
+            analysis::undeclared_arguments(self.session, &report.roots, &self.options.args)
         {
             let near = near.map_or(String::new(), |near| format!("; did you mean `{near}`?"));
             io.line(&visible(&format!(
@@ -376,9 +377,8 @@ impl CheckRun<'_> {
         if self.args.fix && self.args.unsafe_fixes {
             return String::new();
         }
-        let (safe, other) = self
-            .session
-            .fixable(self.options, report, least_shown(self.args));
+        let (safe, other) =
+            analysis::fixable(self.session, self.options, report, least_shown(self.args));
         // what is left by `--fix` could not be proved to be safe
         let (safe, other) = if self.args.fix {
             (0, safe + other)

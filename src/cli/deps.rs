@@ -34,7 +34,7 @@ pub(super) fn run(args: &DepsArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
                 }
             }
             let beside = if args.beside {
-                session.files_beside(Path::new(&file))
+                analysis::files_beside(&session, Path::new(&file))
             } else {
                 Vec::new()
             };
@@ -65,7 +65,7 @@ pub(super) fn run(args: &DepsArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
 
 /// The files beside a robot, for JSON.
 pub(super) fn beside(session: &Session, file: &str) -> Value {
-    let files = session.files_beside(Path::new(file)).into_iter();
+    let files = analysis::files_beside(session, Path::new(file)).into_iter();
     files
         .map(|(path, kind)| json!({"path": path, "kind": kind}))
         .collect()

@@ -50,8 +50,7 @@ pub(super) fn run(args: &FormatArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
         );
     }
     let mut done = FormatCounts::default();
-    for path in session
-        .files(&options)
+    for path in analysis::files_to_check(&session, &options)
         .into_iter()
         .filter(|path| !session.settings(path).excludes(path))
     {

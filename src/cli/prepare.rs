@@ -28,7 +28,7 @@ impl Prepared {
     /// came to be: what was named, and configurations.
     pub(super) fn state(&self, mut files: BTreeSet<PathBuf>) -> WatchedFiles {
         let vfs = &self.session.vfs;
-        files.extend(self.session.files(&self.options));
+        files.extend(analysis::files_to_check(&self.session, &self.options));
         let named = self
             .options
             .paths

@@ -129,7 +129,7 @@ pub(super) fn explain(
         args,
         ..CheckOptions::default()
     };
-    let mut report = session.check(&options);
+    let mut report = analysis::check(session, &options);
     let categories = [
         Category::Xml,
         Category::Xacro,

@@ -116,7 +116,7 @@ impl Bench {
 
     fn check(&self, call: &CheckCall) -> Result<String, String> {
         let (session, options) = self.session(call)?;
-        let report = session.check(&options);
+        let report = analysis::check(&session, &options);
         if let Some(unreadable) = report.unreadable.first() {
             let path = shown_path(&unreadable.path, &self.env.cwd);
             return Err(format!("{path}: {}", unreadable.error.reason()));
@@ -136,7 +136,8 @@ impl Bench {
         } else {
             Safety::Safe
         };
-        let fixed = session.fix(
+        let fixed = analysis::fix(
+            &session,
             &options,
             FixOptions {
                 most,

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::PathBuf;
 
-use xacro_lsp::analysis::{AffectedRobots, Effort, Session, Setup};
+use xacro_lsp::analysis::{self, AffectedRobots, Effort, Session, Setup};
 use xacro_lsp::base::limits::*;
 use xacro_lsp::base::{CancelFlag, TextRange};
 use xacro_lsp::vfs::Environment;
@@ -88,7 +88,7 @@ fn quick_proof_expansions() {
             cancel,
         };
         assert_eq!(
-            session.expansion_unchanged(&path, edits, &effort),
+            analysis::expansion_unchanged(&session, &path, edits, &effort),
             expected,
             "{arguments} arguments"
         );

@@ -1,50 +1,15 @@
 //! Files beside robots in an editor.
 use std::path::{Path, PathBuf};
 
-use super::super::graph::gives_robot;
 use super::super::host::AnalysisHost;
 use super::super::root_config::RootConfig;
-use super::super::session::Session;
-use super::super::walk::is_launch;
-use super::compare::ComparisonResult;
-use super::files::{Beside, Robots, Sort, sort};
+use super::around::{beside_of, beside_roots};
+use super::compare::{ComparisonResult, beside_findings};
+use super::files::{Beside, Robots, read_beside};
+use super::pairing::pairing_of;
+use super::robots::is_robot;
+use super::sort::{Sort, sort};
 use base::CancelFlag;
-use facts::parts_where;
-use xml::Document;
-
-impl Session {
-    /// What a file says that the pairing of other files rests on, and the arguments that it gives to robots.
-    pub(in super::super) fn said_to_others(&self, path: &Path) -> Vec<String> {
-        let mut said = vec![format!(
-            "{:?} {}",
-            self.robot_name(path),
-            self.is_about_robots(path)
-        )];
-        if is_launch(path) {
-            said.extend(self.given_in(path));
-        } else if sort(path) == Some(Sort::Yaml) {
-            let settings = self.beside_settings(path);
-            said.extend(
-                settings.map(|settings| format!("{:?} {:?}", settings.listed, settings.assistant)),
-            );
-        } else if let Ok(file) = self.vfs.document(path) {
-            let parts = parts_where(&file.document, |marks| marks.parameters);
-            let named = parts.flat_map(|(_, item)| item.text().split("<parameters>").skip(1));
-            said.extend(named.filter_map(|rest| Some(rest.split_once('<')?.0.to_owned())));
-            said.push(gives_robot(&file.document).to_string());
-            said.extend(included_names(&file.document));
-        }
-        said
-    }
-}
-
-/// The names of the files that a document includes, with the prefix of xacro or without it.
-fn included_names(document: &Document) -> impl Iterator<Item = String> {
-    let parts = parts_where(document, |marks| marks.include);
-    let nodes = parts.flat_map(|(_, item)| item.all_nodes());
-    let tags = nodes.filter(|node| matches!(node.name(), "xacro:include" | "include"));
-    tags.filter_map(|tag| Some(tag.attr("filename")?.raw().to_owned()))
-}
 
 impl AnalysisHost {
     /// What there is to say about the files beside robots among `paths`, and about those beside robots that are shown: those
@@ -62,27 +27,26 @@ impl AnalysisHost {
             .cloned()
             .collect();
         let is_for_shown = |file: &PathBuf| {
-            self.session()
-                .pairing(file)
+            pairing_of(self.session(), file)
                 .roots
                 .iter()
                 .all(|own| roots.contains(own))
         };
         let beside = roots
             .iter()
-            .flat_map(|root| self.session().beside_of(&root.file));
+            .flat_map(|root| beside_of(self.session(), &root.file));
         files.extend(beside.filter(is_for_shown));
         files.sort();
         files.dedup();
         let robots = self.analyzed_for(&files, cancel)?;
-        let found = self.session().beside_findings(&files, cancel, &robots);
+        let found = beside_findings(self.session(), &files, cancel, &robots);
         (!cancel.is_cancelled()).then_some(found)
     }
 
     /// What has to be expanded to judge files beside robots. `None` when cancelled.
     fn analyzed_for(&mut self, files: &[PathBuf], cancel: &CancelFlag) -> Option<Robots> {
         let mut robots = Robots::default();
-        for root in self.session().beside_roots(files) {
+        for root in beside_roots(self.session(), files) {
             let analyzed = self.analyzed(&root, cancel)?;
             robots.insert(root, analyzed);
         }
@@ -91,7 +55,7 @@ impl AnalysisHost {
 
     /// The files beside a robot, read. `None` when cancelled.
     pub fn beside(&mut self, root: &Path, cancel: &CancelFlag) -> Option<Vec<Beside>> {
-        let files = self.session().beside_of(root);
+        let files = beside_of(self.session(), root);
         self.read(&files, cancel)
     }
 
@@ -111,7 +75,7 @@ impl AnalysisHost {
         Some(
             files
                 .iter()
-                .filter_map(|file| self.session().beside(file, &srdfs))
+                .filter_map(|file| read_beside(self.session(), file, &srdfs))
                 .collect(),
         )
     }
@@ -119,7 +83,7 @@ impl AnalysisHost {
     /// The robots that a file beside them is for, the most likely one first.
     pub fn robots_beside(&self, path: &Path) -> Vec<RootConfig> {
         match sort(path) {
-            Some(_) => self.session().pairing(path).roots.clone(),
+            Some(_) => pairing_of(self.session(), path).roots.clone(),
             None => Vec::new(),
         }
     }
@@ -134,7 +98,7 @@ impl AnalysisHost {
         }
         let all = self.session().callers.descriptions(path);
         all.iter()
-            .filter(|file| self.session().is_robot(file))
+            .filter(|file| is_robot(self.session(), file))
             .take(MOST)
             .map(|file| RootConfig::plain(file))
             .collect()

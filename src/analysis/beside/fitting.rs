@@ -4,9 +4,10 @@ use std::sync::Arc;
 
 use super::super::root_analysis::RootAnalysis;
 use super::super::session::Session;
-use super::files::{Beside, Robots};
+use super::super::set_aside::is_set_aside;
+use super::files::{Beside, Robots, read_beside};
 use super::paired::Pairing;
-use super::pairing::stem;
+use super::robots::stem;
 use expand::Expansion;
 use rules::{RobotNames, is_whole};
 
@@ -29,76 +30,74 @@ const SEVERAL: u32 = 3;
 /// The part that has to fit a robot in use, for copies of it not to count.
 const IN_USE: f64 = 0.75;
 
-impl Session {
-    /// The robots of a pairing that may be compared with a file: whole ones, when enough names fit.
-    pub(super) fn paired(
-        &self,
-        own: &Beside,
-        pairing: &Pairing,
-        robots: &Robots,
-    ) -> Option<Paired> {
-        let all: Option<Vec<_>> = pairing
-            .roots
-            .iter()
-            .map(|root| robots.get(root).cloned())
-            .collect();
-        let mut found = all?;
-        found.retain(|one| !is_empty(one));
-        let mut unused = self.take_unused(&mut found, own);
-        // where a part of a robot is missing, nothing can be said to be missing; a part of another robot is known there
-        if found
-            .iter()
-            .any(|one| !is_settled(one) && !is_part_of(one, &found))
-        {
-            return None;
-        }
-        let (found, lacking): (Vec<_>, Vec<_>) = found.into_iter().partition(|one| is_settled(one));
-        unused.extend(lacking);
-        let names = names_of(&found);
-        let has_arguments = found.iter().any(|one| !one.expansion.arguments.is_empty());
-        // what the SRDF is for, the other settings in its package are for
-        let srdf = pairing
-            .srdf
-            .as_ref()
-            .and_then(|srdf| self.beside(srdf, robots));
-        let is_like = srdf.is_some_and(|srdf| likeness(&srdf, &names).1 >= LIKE);
-        let (count, likeness) = likeness(own, &names);
-        let least = if !pairing.is_named && !is_like {
-            LIKE
-        } else if has_arguments && count >= SEVERAL {
-            NAMED
-        } else {
-            0.0
-        };
-        let is_any = likeness > 0.0 || count < SEVERAL;
-        let is_for_them = !found.is_empty() && is_any && likeness >= least;
-        is_for_them.then_some(Paired {
-            robots: found,
-            unused,
-        })
+/// The robots of a pairing that may be compared with a file: whole ones, when enough names fit.
+pub(super) fn paired(
+    session: &Session,
+    own: &Beside,
+    pairing: &Pairing,
+    robots: &Robots,
+) -> Option<Paired> {
+    let all: Option<Vec<_>> = pairing
+        .roots
+        .iter()
+        .map(|root| robots.get(root).cloned())
+        .collect();
+    let mut found = all?;
+    found.retain(|one| !is_empty(one));
+    let mut unused = take_unused(session, &mut found, own);
+    // where a part of a robot is missing, nothing can be said to be missing; a part of another robot is known there
+    if found
+        .iter()
+        .any(|one| !is_settled(one) && !is_part_of(one, &found))
+    {
+        return None;
     }
+    let (found, lacking): (Vec<_>, Vec<_>) = found.into_iter().partition(|one| is_settled(one));
+    unused.extend(lacking);
+    let names = names_of(&found);
+    let has_arguments = found.iter().any(|one| !one.expansion.arguments.is_empty());
+    // what the SRDF is for, the other settings in its package are for
+    let srdf = pairing
+        .srdf
+        .as_ref()
+        .and_then(|srdf| read_beside(session, srdf, robots));
+    let is_like = srdf.is_some_and(|srdf| likeness(&srdf, &names).1 >= LIKE);
+    let (count, likeness) = likeness(own, &names);
+    let least = if !pairing.is_named && !is_like {
+        LIKE
+    } else if has_arguments && count >= SEVERAL {
+        NAMED
+    } else {
+        0.0
+    };
+    let is_any = likeness > 0.0 || count < SEVERAL;
+    let is_for_them = !found.is_empty() && is_any && likeness >= least;
+    is_for_them.then_some(Paired {
+        robots: found,
+        unused,
+    })
+}
 
-    /// Take out the copies and old versions of a robot in use, when the file fits that one.
-    fn take_unused(
-        &self,
-        robots: &mut Vec<Arc<RootAnalysis>>,
-        own: &Beside,
-    ) -> Vec<Arc<RootAnalysis>> {
-        if robots.len() < 2 {
-            return Vec::new();
-        }
-        let (unused, used): (Vec<_>, Vec<_>) = robots
-            .iter()
-            .cloned()
-            .partition(|one| self.is_set_aside(&one.root.file));
-        let is_enough =
-            used.iter().any(|one| is_settled(one)) && likeness(own, &names_of(&used)).1 >= IN_USE;
-        if unused.is_empty() || !is_enough {
-            return Vec::new();
-        }
-        *robots = used;
-        unused
+/// Take out the copies and old versions of a robot in use, when the file fits that one.
+fn take_unused(
+    session: &Session,
+    robots: &mut Vec<Arc<RootAnalysis>>,
+    own: &Beside,
+) -> Vec<Arc<RootAnalysis>> {
+    if robots.len() < 2 {
+        return Vec::new();
     }
+    let (unused, used): (Vec<_>, Vec<_>) = robots
+        .iter()
+        .cloned()
+        .partition(|one| is_set_aside(session, &one.root.file));
+    let is_enough =
+        used.iter().any(|one| is_settled(one)) && likeness(own, &names_of(&used)).1 >= IN_USE;
+    if unused.is_empty() || !is_enough {
+        return Vec::new();
+    }
+    *robots = used;
+    unused
 }
 
 /// The names of links and joints in robots.

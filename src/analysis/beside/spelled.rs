@@ -8,6 +8,7 @@ use super::super::includes::reach;
 use super::super::root_analysis::RootAnalysis;
 use super::super::session::Session;
 use super::files::Beside;
+use super::robots::is_robot;
 use base::FastSet;
 use project::{ProjectNameKind, Srdf};
 use rules::{JointConnection, OfferedInterface, RobotNames, is_semantic_name};
@@ -41,96 +42,99 @@ impl Prefixes<'_> {
     }
 }
 
-impl Session {
-    /// Add the names of the robots that launch files or programs load and that have all names of an SRDF: it may be for these,
-    /// whatever its name says.
-    pub(super) fn add_robots_with(
-        &self,
-        srdf: &Srdf,
-        own: &Beside,
-        paired: &[Arc<RootAnalysis>],
-        names: &mut RobotNames,
-    ) {
-        let all = self.callers.descriptions(&own.path);
-        let is_other = |file: &&PathBuf| {
-            !paired.iter().any(|known| known.root.file == **file)
-                && self.is_robot(file)
-                && self.callers.load(file)
+/// Add the names of the robots that launch files or programs load and that have all names of an SRDF: it may be for these,
+/// whatever its name says.
+pub(super) fn add_robots_with(
+    session: &Session,
+    srdf: &Srdf,
+    own: &Beside,
+    paired: &[Arc<RootAnalysis>],
+    names: &mut RobotNames,
+) {
+    let all = session.callers.descriptions(&own.path);
+    let is_other = |file: &&PathBuf| {
+        !paired.iter().any(|known| known.root.file == **file)
+            && is_robot(session, file)
+            && session.callers.load(file)
+    };
+    let mentioned: FastSet<(ProjectNameKind, &str)> = srdf
+        .names()
+        .into_iter()
+        .filter(|(_, kind, is_given)| *kind != ProjectNameKind::Group && !is_given)
+        .filter_map(|(name, kind, _)| Some((kind, name.name()?.as_str())))
+        .collect();
+    for file in all.iter().filter(is_other).take(MOST_ROBOTS) {
+        let mut spelled = RobotNames::default();
+        add_spelled(session, file, Prefixes::Empty, &mut spelled);
+        let has = |&(kind, name): &(ProjectNameKind, &str)| match kind {
+            ProjectNameKind::Link => spelled.links.contains(name),
+            _ => spelled.joints.contains(name),
         };
-        let mentioned: FastSet<(ProjectNameKind, &str)> = srdf
-            .names()
-            .into_iter()
-            .filter(|(_, kind, is_given)| *kind != ProjectNameKind::Group && !is_given)
-            .filter_map(|(name, kind, _)| Some((kind, name.name()?.as_str())))
-            .collect();
-        for file in all.iter().filter(is_other).take(MOST_ROBOTS) {
-            let mut spelled = RobotNames::default();
-            self.add_spelled(file, Prefixes::Empty, &mut spelled);
-            let has = |&(kind, name): &(ProjectNameKind, &str)| match kind {
-                ProjectNameKind::Link => spelled.links.contains(name),
-                _ => spelled.joints.contains(name),
-            };
-            if mentioned.iter().all(has) {
-                names.extend(&spelled);
-            }
+        if mentioned.iter().all(has) {
+            names.extend(&spelled);
         }
     }
+}
 
-    /// Whether a tag includes a file of a package that is absent.
-    fn is_absent(&self, include: Node<'_>, from: &Path) -> bool {
-        let name = include.attr("filename").map(|name| name.raw().to_owned());
-        let package = name.as_ref().and_then(|name| {
-            let (_, after) = name.split_once("$(find ")?;
-            Some(after.split_once(')')?.0.trim())
-        });
-        package.is_some_and(|package| {
-            !package.contains('$') && self.packages.find(package, from).is_err()
-        })
-    }
+/// Whether a tag includes a file of a package that is absent.
+fn is_absent(session: &Session, include: Node<'_>, from: &Path) -> bool {
+    let name = include.attr("filename").map(|name| name.raw().to_owned());
+    let package = name.as_ref().and_then(|name| {
+        let (_, after) = name.split_once("$(find ")?;
+        Some(after.split_once(')')?.0.trim())
+    });
+    package.is_some_and(|package| {
+        !package.contains('$') && session.packages.find(package, from).is_err()
+    })
+}
 
-    /// Add the names that the texts of a file and of those that it may include spell out, in branches and macros that take
-    /// no part too.
-    pub(super) fn add_spelled(&self, root: &Path, prefixes: Prefixes<'_>, names: &mut RobotNames) {
-        let mut files = vec![root.to_owned()];
-        let mut next = 0;
-        while let Some(source) = files.get(next).map(|file| self.vfs.document(file)) {
-            next += 1;
-            let Ok(source) = source else { continue };
-            let has_others = prefixes.are_others(&source.path);
-            let nodes = source
-                .document
-                .parts()
-                .flat_map(|(_, item)| item.all_nodes());
-            for node in nodes {
-                if ["xacro:if", "xacro:unless"].contains(&node.name()) {
-                    add_interfaces(node, names);
-                }
-                // what a robot that is whole includes is there: this is for other arguments
-                if node.name() == "xacro:include" {
-                    names.is_open |= self.is_absent(node, &source.path);
-                }
-                let list = match node.name() {
-                    "link" if !is_semantic_name(root) => &mut names.links,
-                    // not those of ros2_control or a transmission
-                    "joint" if node.child_elements().any(|inner| inner.name() == "child") => {
-                        &mut names.joints
-                    }
-                    "group" if node.child_elements().next().is_some() => &mut names.groups,
-                    _ => continue,
-                };
-                let unprefixed = || without_prefix(node, "name").filter(|_| has_others);
-                let Some(name) = spelled(node, "name").or_else(unprefixed) else {
-                    continue;
-                };
-                list.insert(name);
-                if let Some(place) = place_of(node).filter(|_| node.name() == "joint") {
-                    names.places.insert(place);
-                }
+/// Add the names that the texts of a file and of those that it may include spell out, in branches and macros that take
+/// no part too.
+pub(super) fn add_spelled(
+    session: &Session,
+    root: &Path,
+    prefixes: Prefixes<'_>,
+    names: &mut RobotNames,
+) {
+    let mut files = vec![root.to_owned()];
+    let mut next = 0;
+    while let Some(source) = files.get(next).map(|file| session.vfs.document(file)) {
+        next += 1;
+        let Ok(source) = source else { continue };
+        let has_others = prefixes.are_others(&source.path);
+        let nodes = source
+            .document
+            .parts()
+            .flat_map(|(_, item)| item.all_nodes());
+        for node in nodes {
+            if ["xacro:if", "xacro:unless"].contains(&node.name()) {
+                add_interfaces(node, names);
             }
-            for file in reach(&source, &self.packages).reached(&self.vfs) {
-                if files.len() < MOST_FILES && !files.contains(&file) {
-                    files.push(file);
+            // what a robot that is whole includes is there: this is for other arguments
+            if node.name() == "xacro:include" {
+                names.is_open |= is_absent(session, node, &source.path);
+            }
+            let list = match node.name() {
+                "link" if !is_semantic_name(root) => &mut names.links,
+                // not those of ros2_control or a transmission
+                "joint" if node.child_elements().any(|inner| inner.name() == "child") => {
+                    &mut names.joints
                 }
+                "group" if node.child_elements().next().is_some() => &mut names.groups,
+                _ => continue,
+            };
+            let unprefixed = || without_prefix(node, "name").filter(|_| has_others);
+            let Some(name) = spelled(node, "name").or_else(unprefixed) else {
+                continue;
+            };
+            list.insert(name);
+            if let Some(place) = place_of(node).filter(|_| node.name() == "joint") {
+                names.places.insert(place);
+            }
+        }
+        for file in reach(&source, &session.packages).reached(&session.vfs) {
+            if files.len() < MOST_FILES && !files.contains(&file) {
+                files.push(file);
             }
         }
     }

@@ -2,10 +2,13 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
+use super::super::check::conceal;
 use super::super::options::CheckOptions;
 use super::super::report::{Report, Unreadable};
 use super::super::root_config::RootConfig;
+use super::super::roots::{choices, variants};
 use super::super::session::Session;
+use super::super::task_list::{configured_files, named_and_walked};
 use super::super::threads::map_all;
 use super::case::{Case, Ran};
 use super::outcome::{RULE, TestCase, TestOptions, Tests, Update, span_of_place, test_name};
@@ -45,7 +48,7 @@ pub fn test(session: &Session, options: &TestOptions) -> Tests {
 /// The cases of all configured roots. What is wrong in the configurations is noted.
 fn cases(session: &Session, options: &CheckOptions, tests: &mut Tests) -> Vec<Case> {
     let mut report = Report::default();
-    let (named, walked) = session.named_and_walked(options, &mut report);
+    let (named, walked) = named_and_walked(session, options, &mut report);
     for path in &named {
         if let Err(error) = session.vfs.text(path) {
             report.unreadable.push(Unreadable {
@@ -56,7 +59,7 @@ fn cases(session: &Session, options: &CheckOptions, tests: &mut Tests) -> Vec<Ca
     }
     let mut cases = Vec::new();
     let mut invalid: Vec<ConfigWarning> = Vec::new();
-    for (settings, number, files) in session.configured_files(options, &named, &walked) {
+    for (settings, number, files) in configured_files(session, options, &named, &walked) {
         let Some(root) = settings.config.roots.get(number) else {
             continue;
         };
@@ -67,7 +70,7 @@ fn cases(session: &Session, options: &CheckOptions, tests: &mut Tests) -> Vec<Ca
             ));
         }
         for file in files {
-            let choices = session.choices(root, &file);
+            let choices = choices(&session.callers, root, &file);
             let count = root.combinations(&choices);
             if root.launch_choices && count > MATRIX_RUNS as u64 {
                 let message = format!(
@@ -75,7 +78,7 @@ fn cases(session: &Session, options: &CheckOptions, tests: &mut Tests) -> Vec<Ca
                 );
                 invalid.push(warning(&root.place, message));
             }
-            let variants = session.variants(root, &file).into_iter();
+            let variants = variants(&session.callers, root, &file).into_iter();
             let args =
                 |args: Vec<(String, String)>| args.into_iter().chain(options.args.iter().cloned());
             cases.extend(variants.map(|variant| Case {
@@ -198,7 +201,7 @@ fn gather(session: &Session, ran: Vec<Ran>, tests: &mut Tests) {
     }
     report.roots.sort();
     report.roots.dedup();
-    session.conceal(report, &mut findings);
+    conceal(session, report, &mut findings);
     report.findings = findings;
     for finding in &report.findings {
         let related = finding.related.iter().map(|related| related.span.file);

@@ -139,7 +139,7 @@ impl Client {
             ..Setup::default()
         };
         let session = Session::over(self.vfs.clone(), &self.env, setup);
-        let report = analysis::to_json(&session.check(&options), &self.env.cwd);
+        let report = analysis::to_json(&analysis::check(&session, &options), &self.env.cwd);
         serde_json::from_str(&report).unwrap()
     }
 }

@@ -225,7 +225,7 @@ fn quick_fixes(
                 kind: ActionKind::Fix,
                 edits,
             };
-            let proved = state.host.session().safe_fixes(&report, &[number], &effort);
+            let proved = analysis::safe_fixes(state.host.session(), &report, &[number], &effort);
             actions.push((action, !proved.settles.is_empty()));
         }
         let more = further_fixes(state, params, path, source, finding, cancel)?;
@@ -453,7 +453,7 @@ fn fix_all(
         .map(|(n, _)| n)
         .collect();
     let effort = state.host.effort(path, PROOF_EXPANSIONS, cancel);
-    let plan = state.host.session().safe_fixes(&report, &numbers, &effort);
+    let plan = analysis::safe_fixes(state.host.session(), &report, &numbers, &effort);
     let Some(edits) = plan.edits.get(&source.id) else {
         return Ok(None);
     };

@@ -87,7 +87,7 @@ fn known_values(state: &mut ServerState, asked: &Asked, name: &str) -> Option<Ve
         .map(|(choice, _)| choice)
         .filter(|choice| choice.file == root.file);
     let session = state.host.session();
-    let calls = session.launched_roots(&root.file);
+    let calls = analysis::launched_roots(session, &root.file);
     let settings = session.settings(&asked.source.path);
     let around = session.rule_env(&settings.config);
     let given = presets.chain(&calls).flat_map(|choice| &choice.args);

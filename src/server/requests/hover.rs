@@ -107,10 +107,7 @@ fn with_launch_values(state: &ServerState, asked: &Asked, offset: u32, mut hover
     let (Some(argument), Some(root)) = (argument, cx.expansion.files.first()) else {
         return hover;
     };
-    let values = state
-        .host
-        .session()
-        .launch_values(&root.source.path, &argument.name);
+    let values = analysis::launch_values(state.host.session(), &root.source.path, &argument.name);
     let left = MOST_LINES
         .saturating_sub(hover.markdown.lines().count() + 2)
         .min(MOST_VALUES);

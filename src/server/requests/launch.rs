@@ -43,7 +43,7 @@ pub fn launched(
 ) -> Result<Option<LaunchArgumentName>, RequestFailure> {
     let (path, source) = state.source(&at.text_document.uri)?;
     let offset = convert::offset(&source.document, at.position, state.encoding);
-    let Some(name) = state.host.session().launch_name_at(&path, offset) else {
+    let Some(name) = analysis::launch_name_at(state.host.session(), &path, offset) else {
         return Ok(None);
     };
     for robot in &name.robots {
@@ -116,7 +116,7 @@ pub fn in_launch_files(state: &mut ServerState, asked: &Asked) -> (Vec<Span>, Ve
     let mut robots: Vec<PathBuf> = candidates.map(|(root, _)| root.file).collect();
     robots.dedup();
     (
-        state.host.session().launch_places(&robots, &argument.name),
+        analysis::launch_places(state.host.session(), &robots, &argument.name),
         robots,
     )
 }
@@ -128,7 +128,7 @@ pub fn completion(
 ) -> Result<Option<CompletionResponse>, RequestFailure> {
     let (path, source) = state.source(&at.text_document.uri)?;
     let offset = convert::offset(&source.document, at.position, state.encoding);
-    let Some(found) = state.host.session().launch_choices_at(&path, offset) else {
+    let Some(found) = analysis::launch_choices_at(state.host.session(), &path, offset) else {
         return Ok(None);
     };
     let range = convert::range(&source.document, found.range, state.encoding);

@@ -199,10 +199,8 @@ fn expansion_unchanged(
     let effort = state
         .host
         .effort(&asked.source.path, QUICK_PROOF_EXPANSIONS, cancel);
-    let is_same = state
-        .host
-        .session()
-        .expansion_unchanged(&asked.source.path, edits, &effort);
+    let is_same =
+        analysis::expansion_unchanged(state.host.session(), &asked.source.path, edits, &effort);
     if cancel.is_cancelled() {
         Err(RequestFailure::Cancelled)
     } else {

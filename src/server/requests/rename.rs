@@ -153,10 +153,7 @@ fn admit_new_name(
     }
     roots.truncate(QUICK_PROOF_EXPANSIONS);
     let replaced = replaced.into_iter().collect();
-    let changed = state
-        .host
-        .session()
-        .changed_robot(replaced, &roots, name, cancel);
+    let changed = analysis::changed_robot(state.host.session(), replaced, &roots, name, cancel);
     if cancel.is_cancelled() {
         return Err(RequestFailure::Cancelled);
     }
@@ -191,7 +188,7 @@ fn admit_edit(state: &ServerState, path: &Path) -> Result<(), RequestFailure> {
         return Ok(());
     }
     let shown = vfs::slashed(path);
-    if state.host.session().is_installed(path) || path.iter().any(is_built) {
+    if analysis::is_installed(state.host.session(), path) || path.iter().any(is_built) {
         return Err(RequestFailure::Refused(format!(
             "`{shown}` is in an install folder and is not changed"
         )));
@@ -264,7 +261,7 @@ fn in_calls(
     let (places, robots) = in_launch_files(state, asked);
     let session = state.host.session();
     for &place in &places {
-        if let Some(other) = session.gives_to_another(place, &robots, old) {
+        if let Some(other) = analysis::gives_to_another(session, place, &robots, old) {
             let caller = file_name(&session.vfs.path(place.file));
             let other = file_name(&other);
             return Err(RequestFailure::Refused(format!(

@@ -161,8 +161,7 @@ fn with_calls(state: &ServerState, candidates: &[(RootConfig, u32)]) -> Vec<(Roo
         found.push((root.clone(), *distance));
         if root == &RootConfig::plain(&root.file) {
             found.extend(
-                session
-                    .launched_roots(&root.file)
+                analysis::launched_roots(session, &root.file)
                     .into_iter()
                     .map(|call| (call, *distance)),
             );
@@ -235,11 +234,7 @@ pub fn tree(
         ));
     };
     let (_, analyzed) = shown_under(state, &document, params.root, cancel)?;
-    let beside = state
-        .host
-        .session()
-        .files_beside(&analyzed.root.file)
-        .into_iter();
+    let beside = analysis::files_beside(state.host.session(), &analyzed.root.file).into_iter();
     let beside = beside
         .filter_map(|(path, kind)| {
             Some(FileBeside {

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
-use xacro_lsp::analysis::{AnalysisHost, RootConfig};
+use xacro_lsp::analysis::{self, AnalysisHost, RootConfig};
 use xacro_lsp::base::{CancelFlag, TextRange};
 use xacro_lsp::vfs::Environment;
 use xacro_lsp::workspace::config::{ConfigCursorKind, doc, place_at, wanted};
@@ -73,12 +73,12 @@ pub fn launch_requests(data: &[u8]) {
     };
     for offset in places(&text, choice) {
         let session = host.session();
-        if let Some(name) = session.launch_name_at(&path, offset) {
+        if let Some(name) = analysis::launch_name_at(session, &path, offset) {
             lies_within(name.span.range);
             assert_eq!(name.span.range.slice(&text), name.name, "{text:?}");
-            session.gives_to_another(name.span, &name.robots, &name.name);
+            analysis::gives_to_another(session, name.span, &name.robots, &name.name);
         }
-        if let Some(choices) = session.launch_choices_at(&path, offset) {
+        if let Some(choices) = analysis::launch_choices_at(session, &path, offset) {
             lies_within(choices.range);
             assert!(
                 choices.range.start <= offset && offset <= choices.range.end,
@@ -88,8 +88,8 @@ pub fn launch_requests(data: &[u8]) {
     }
     for name in ["side", "n", "sim"] {
         let session = host.session();
-        session.launch_values(&robot, name);
-        for place in session.launch_places(std::slice::from_ref(&robot), name) {
+        analysis::launch_values(session, &robot, name);
+        for place in analysis::launch_places(session, std::slice::from_ref(&robot), name) {
             let own = *session.vfs.path(place.file) == *path;
             assert!(
                 !own || place.range.slice(&text) == name,
@@ -97,7 +97,7 @@ pub fn launch_requests(data: &[u8]) {
             );
         }
     }
-    let roots: Vec<RootConfig> = host.session().launched_roots(&robot);
+    let roots: Vec<RootConfig> = analysis::launched_roots(host.session(), &robot);
     assert!(roots.len() <= xacro_lsp::base::limits::CALL_RUNS);
     let report = host
         .report(&[robot, path.clone()], &CancelFlag::default())

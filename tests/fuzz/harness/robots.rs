@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
-use xacro_lsp::analysis::{CheckOptions, FixOptions, Session, Setup};
+use xacro_lsp::analysis::{self, CheckOptions, FixOptions, Session, Setup};
 use xacro_lsp::base::ExpansionLimits;
 use xacro_lsp::expand::{Request, Sources, expand, write_mapped};
 use xacro_lsp::packages::Packages;
@@ -104,7 +104,8 @@ pub fn fixes(data: &[u8]) {
     } else {
         Safety::Unsafe
     };
-    let fixed = session.fix(
+    let fixed = analysis::fix(
+        &session,
         &options,
         FixOptions {
             most,
