@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use xacro_lsp::analysis::AnalysisHost;
+use xacro_lsp::analysis::{self, AnalysisHost};
 use xacro_lsp::base::{CancelFlag, TextRange};
 use xacro_lsp::rules::Finding;
 use xacro_lsp::vfs::Environment;
@@ -52,7 +52,7 @@ impl Session {
     /// All findings of all open files.
     fn findings(&mut self) -> Vec<String> {
         let paths: Vec<PathBuf> = self.texts.keys().cloned().collect();
-        let report = self.host.report(&paths, &CancelFlag::default()).unwrap();
+        let report = analysis::report_on(&mut self.host, &paths, &CancelFlag::default()).unwrap();
         let mut shown: Vec<String> = report
             .findings
             .iter()

@@ -6,6 +6,7 @@ use super::declared::KnownArguments;
 use super::host::AnalysisHost;
 use super::launch_values::compared_words;
 use super::root_config::RootConfig;
+use super::session::Session;
 use base::{CancelFlag, TextRange};
 use rules::THRESHOLDS;
 use workspace::config::{
@@ -61,247 +62,246 @@ pub fn is_config(path: &Path) -> bool {
 /// Names with a few words about each.
 type DescribedNames = Vec<(String, String)>;
 
-impl AnalysisHost {
-    /// What may be written at an offset of a configuration file. `None` where nothing may, or when cancelled.
-    pub fn config_choices_at(
-        &mut self,
-        path: &Path,
-        offset: u32,
-        cancel: &CancelFlag,
-    ) -> Option<ConfigChoices> {
-        let text = self.session().vfs.text(path).ok()?;
-        let place = place_at(&text.text, offset)?;
-        let (kind, names) = match wanted(&place)? {
-            ExpectedValue::Keys(keys) => {
-                let names = keys
-                    .into_iter()
-                    .map(|(name, doc)| (name.to_owned(), doc.to_owned()));
-                (ConfigChoiceKind::Key, names.collect())
-            }
-            ExpectedValue::Words(words) => (
-                ConfigChoiceKind::Value,
-                plain(words.iter().map(|word| (*word).to_owned())),
-            ),
-            ExpectedValue::Bool => (
-                ConfigChoiceKind::Value,
-                plain(["true", "false"].map(str::to_owned)),
-            ),
-            ExpectedValue::Free => self.names_at(path, &place, cancel)?,
-        };
-        let after = text.text.get(place.range.end as usize..).unwrap_or("");
-        let item = |(name, detail): (String, String)| {
-            let is_folder = kind == ConfigChoiceKind::File && name.ends_with('/');
-            let kind = if is_folder {
-                ConfigChoiceKind::Folder
-            } else {
-                kind
-            };
-            ConfigChoice {
-                text: written(&place, kind, &name, after),
-                kind,
-                name,
-                detail,
-            }
-        };
-        Some(ConfigChoices {
-            range: place.range,
-            items: names.into_iter().map(item).collect(),
-        })
-    }
-
-    /// What the table of keys says of the key at an offset of a configuration file, with its place.
-    pub fn config_key_at(&self, path: &Path, offset: u32) -> Option<(TextRange, &'static str)> {
-        let text = self.session().vfs.text(path).ok()?;
-        let place = place_at(&text.text, offset)
-            .filter(|place| !matches!(place.kind, ConfigCursorKind::Value { .. }))?;
-        let mut keys = place.path;
-        keys.push(place.range.slice(&text.text).to_owned());
-        Some((place.range, config::doc(&keys)?))
-    }
-
-    /// The names that belong to a place where any may stand.
-    fn names_at(
-        &mut self,
-        path: &Path,
-        place: &ConfigCursor,
-        cancel: &CancelFlag,
-    ) -> Option<(ConfigChoiceKind, DescribedNames)> {
-        let keys: Vec<&str> = place.path.iter().map(String::as_str).collect();
-        let is_key = !matches!(place.kind, ConfigCursorKind::Value { .. });
-        let folder = path.parent().unwrap_or(Path::new(""));
-        Some(match (keys.as_slice(), is_key) {
-            (
-                ["roots", "args" | "exclude"]
-                | ["roots", "presets", _]
-                | ["roots", "expect", "when"],
-                true,
-            ) => (
-                ConfigChoiceKind::Argument,
-                self.arguments_of(&robots(self, folder, place)),
-            ),
-            (
-                ["roots", "args" | "exclude", name]
-                | ["roots", "presets", _, name]
-                | ["roots", "expect", "when", name],
-                false,
-            ) => (
-                ConfigChoiceKind::Value,
-                self.values_of(&robots(self, folder, place), name),
-            ),
-            (["roots", "expect", "root" | "links" | "no-links" | "chains"], false)
-            | (["roots", "expect", "joint", _, "parent" | "child"], false) => (
-                ConfigChoiceKind::Link,
-                self.parts(&robots(self, folder, place), true, cancel)?,
-            ),
-            (
-                [
-                    "roots",
-                    "expect",
-                    "joint" | "command-interfaces" | "state-interfaces",
-                ],
-                true,
-            )
-            | (["roots", "expect", "joints" | "no-joints"], false)
-            | (["roots", "expect", "joint", _, "mimic"], false) => (
-                ConfigChoiceKind::Joint,
-                self.parts(&robots(self, folder, place), false, cancel)?,
-            ),
-            (["severity"], true)
-            | (["select" | "extend-select" | "ignore"] | ["per-file-ignores", _], false) => {
-                let rules = rules::all().map(|rule| (rule.name.to_owned(), rule.code.to_owned()));
-                (ConfigChoiceKind::Rule, rules.collect())
-            }
-            (["thresholds"], true) => (
-                ConfigChoiceKind::Key,
-                plain(THRESHOLDS.iter().map(|threshold| threshold.name.to_owned())),
-            ),
-            (["roots", "file"] | ["extend"] | ["roots", "expect", "expands-to"], false) => (
-                ConfigChoiceKind::File,
-                self.files_at(path, folder, place, keys.last().copied()),
-            ),
-            _ => return None,
-        })
-    }
-
-    /// The arguments of robots.
-    fn arguments_of(&self, robots: &[PathBuf]) -> DescribedNames {
-        let mut found = DescribedNames::new();
-        for (name, default) in robots
-            .iter()
-            .flat_map(|robot| KnownArguments::of(self.session(), robot).defaults())
-        {
-            if !name.contains('$') && !found.iter().any(|(known, _)| *known == name) {
-                let detail = default.map(|default| format!("default: `{default}`"));
-                found.push((name, detail.unwrap_or_default()));
-            }
+/// What may be written at an offset of a configuration file. `None` where nothing may, or when cancelled.
+pub fn config_choices_at(
+    host: &mut AnalysisHost,
+    path: &Path,
+    offset: u32,
+    cancel: &CancelFlag,
+) -> Option<ConfigChoices> {
+    let text = host.session().vfs.text(path).ok()?;
+    let place = place_at(&text.text, offset)?;
+    let (kind, names) = match wanted(&place)? {
+        ExpectedValue::Keys(keys) => {
+            let names = keys
+                .into_iter()
+                .map(|(name, doc)| (name.to_owned(), doc.to_owned()));
+            (ConfigChoiceKind::Key, names.collect())
         }
-        found
-    }
+        ExpectedValue::Words(words) => (
+            ConfigChoiceKind::Value,
+            plain(words.iter().map(|word| (*word).to_owned())),
+        ),
+        ExpectedValue::Bool => (
+            ConfigChoiceKind::Value,
+            plain(["true", "false"].map(str::to_owned)),
+        ),
+        ExpectedValue::Free => names_at(host, path, &place, cancel)?,
+    };
+    let after = text.text.get(place.range.end as usize..).unwrap_or("");
+    let item = |(name, detail): (String, String)| {
+        let is_folder = kind == ConfigChoiceKind::File && name.ends_with('/');
+        let kind = if is_folder {
+            ConfigChoiceKind::Folder
+        } else {
+            kind
+        };
+        ConfigChoice {
+            text: written(&place, kind, &name, after),
+            kind,
+            name,
+            detail,
+        }
+    };
+    Some(ConfigChoices {
+        range: place.range,
+        items: names.into_iter().map(item).collect(),
+    })
+}
 
-    /// Values of an argument: what conditions of robots compare it with, its default, and what launch files give.
-    fn values_of(&self, robots: &[PathBuf], name: &str) -> DescribedNames {
-        let session = self.session();
-        let mut found = DescribedNames::new();
-        for robot in robots {
-            let known = KnownArguments::of(session, robot);
-            let declared = known.defaults().into_iter().filter(|(own, _)| own == name);
-            for default in declared.filter_map(|(_, default)| default) {
-                let is_bool = ["true", "false"]
-                    .iter()
-                    .any(|word| default.eq_ignore_ascii_case(word));
-                add_value(&mut found, default, "default");
-                if is_bool {
-                    ["true", "false"]
-                        .iter()
-                        .for_each(|word| add_value(&mut found, (*word).to_owned(), ""));
-                }
-            }
-            for call in session
-                .robot_calls(robot)
+/// What the table of keys says of the key at an offset of a configuration file, with its place.
+pub fn config_key_at(
+    session: &Session,
+    path: &Path,
+    offset: u32,
+) -> Option<(TextRange, &'static str)> {
+    let text = session.vfs.text(path).ok()?;
+    let place = place_at(&text.text, offset)
+        .filter(|place| !matches!(place.kind, ConfigCursorKind::Value { .. }))?;
+    let mut keys = place.path;
+    keys.push(place.range.slice(&text.text).to_owned());
+    Some((place.range, config::doc(&keys)?))
+}
+
+/// The names that belong to a place where any may stand.
+fn names_at(
+    host: &mut AnalysisHost,
+    path: &Path,
+    place: &ConfigCursor,
+    cancel: &CancelFlag,
+) -> Option<(ConfigChoiceKind, DescribedNames)> {
+    let keys: Vec<&str> = place.path.iter().map(String::as_str).collect();
+    let is_key = !matches!(place.kind, ConfigCursorKind::Value { .. });
+    let folder = path.parent().unwrap_or(Path::new(""));
+    Some(match (keys.as_slice(), is_key) {
+        (
+            ["roots", "args" | "exclude"] | ["roots", "presets", _] | ["roots", "expect", "when"],
+            true,
+        ) => (
+            ConfigChoiceKind::Argument,
+            arguments_of(host.session(), &robots(host, folder, place)),
+        ),
+        (
+            ["roots", "args" | "exclude", name]
+            | ["roots", "presets", _, name]
+            | ["roots", "expect", "when", name],
+            false,
+        ) => (
+            ConfigChoiceKind::Value,
+            values_of(host.session(), &robots(host, folder, place), name),
+        ),
+        (["roots", "expect", "root" | "links" | "no-links" | "chains"], false)
+        | (["roots", "expect", "joint", _, "parent" | "child"], false) => (
+            ConfigChoiceKind::Link,
+            part_names(host, &robots(host, folder, place), true, cancel)?,
+        ),
+        (
+            [
+                "roots",
+                "expect",
+                "joint" | "command-interfaces" | "state-interfaces",
+            ],
+            true,
+        )
+        | (["roots", "expect", "joints" | "no-joints"], false)
+        | (["roots", "expect", "joint", _, "mimic"], false) => (
+            ConfigChoiceKind::Joint,
+            part_names(host, &robots(host, folder, place), false, cancel)?,
+        ),
+        (["severity"], true)
+        | (["select" | "extend-select" | "ignore"] | ["per-file-ignores", _], false) => {
+            let rules = rules::all().map(|rule| (rule.name.to_owned(), rule.code.to_owned()));
+            (ConfigChoiceKind::Rule, rules.collect())
+        }
+        (["thresholds"], true) => (
+            ConfigChoiceKind::Key,
+            plain(THRESHOLDS.iter().map(|threshold| threshold.name.to_owned())),
+        ),
+        (["roots", "file"] | ["extend"] | ["roots", "expect", "expands-to"], false) => (
+            ConfigChoiceKind::File,
+            files_at(host.session(), path, folder, place, keys.last().copied()),
+        ),
+        _ => return None,
+    })
+}
+
+/// The arguments of robots.
+fn arguments_of(session: &Session, robots: &[PathBuf]) -> DescribedNames {
+    let mut found = DescribedNames::new();
+    for (name, default) in robots
+        .iter()
+        .flat_map(|robot| KnownArguments::of(session, robot).defaults())
+    {
+        if !name.contains('$') && !found.iter().any(|(known, _)| *known == name) {
+            let detail = default.map(|default| format!("default: `{default}`"));
+            found.push((name, detail.unwrap_or_default()));
+        }
+    }
+    found
+}
+
+/// Values of an argument: what conditions of robots compare it with, its default, and what launch files give.
+fn values_of(session: &Session, robots: &[PathBuf], name: &str) -> DescribedNames {
+    let mut found = DescribedNames::new();
+    for robot in robots {
+        let known = KnownArguments::of(session, robot);
+        let declared = known.defaults().into_iter().filter(|(own, _)| own == name);
+        for default in declared.filter_map(|(_, default)| default) {
+            let is_bool = ["true", "false"]
                 .iter()
-                .filter(|call| call.target.as_ref() == Some(robot))
-            {
-                let given = call
-                    .call
-                    .args
+                .any(|word| default.eq_ignore_ascii_case(word));
+            add_value(&mut found, default, "default");
+            if is_bool {
+                ["true", "false"]
                     .iter()
-                    .filter(|argument| argument.name == name);
-                let file = call
-                    .call
-                    .caller
-                    .file_name()
-                    .unwrap_or_default()
-                    .to_string_lossy();
-                given
-                    .filter_map(|argument| argument.value.literal())
-                    .for_each(|value| add_value(&mut found, value, &file));
-            }
-            let choices = session
-                .callers
-                .choices(robot)
-                .into_iter()
-                .filter(|(own, _)| own == name);
-            choices
-                .flat_map(|(_, values)| values)
-                .for_each(|value| add_value(&mut found, value, "choice of a launch file"));
-            compared_words(&known, name)
-                .into_iter()
-                .for_each(|value| add_value(&mut found, value, "in a condition"));
-        }
-        found
-    }
-
-    /// The links or joints of robots with their defaults.
-    fn parts(
-        &mut self,
-        robots: &[PathBuf],
-        links: bool,
-        cancel: &CancelFlag,
-    ) -> Option<DescribedNames> {
-        let mut names: BTreeSet<String> = BTreeSet::new();
-        for robot in robots {
-            let analyzed = self.analyzed(&RootConfig::plain(robot), cancel)?;
-            let Some(robot) = &analyzed.robot else {
-                continue;
-            };
-            if links {
-                names.extend(robot.links.iter().map(|link| link.shown().to_owned()));
-            } else {
-                names.extend(robot.joints.iter().map(|joint| joint.shown().to_owned()));
+                    .for_each(|word| add_value(&mut found, (*word).to_owned(), ""));
             }
         }
-        Some(plain(names))
+        for call in session
+            .robot_calls(robot)
+            .iter()
+            .filter(|call| call.target.as_ref() == Some(robot))
+        {
+            let given = call
+                .call
+                .args
+                .iter()
+                .filter(|argument| argument.name == name);
+            let file = call
+                .call
+                .caller
+                .file_name()
+                .unwrap_or_default()
+                .to_string_lossy();
+            given
+                .filter_map(|argument| argument.value.literal())
+                .for_each(|value| add_value(&mut found, value, &file));
+        }
+        let choices = session
+            .callers
+            .choices(robot)
+            .into_iter()
+            .filter(|(own, _)| own == name);
+        choices
+            .flat_map(|(_, values)| values)
+            .for_each(|value| add_value(&mut found, value, "choice of a launch file"));
+        compared_words(&known, name)
+            .into_iter()
+            .for_each(|value| add_value(&mut found, value, "in a condition"));
     }
+    found
+}
 
-    /// Files and folders that a path at a place may go on with.
-    fn files_at(
-        &self,
-        config: &Path,
-        folder: &Path,
-        place: &ConfigCursor,
-        key: Option<&str>,
-    ) -> DescribedNames {
-        let vfs = &self.session().vfs;
-        let text = vfs.text(config);
-        let typed = text
-            .as_ref()
-            .map_or("", |file| place.range.slice(&file.text));
-        let lead = typed
-            .rfind('/')
-            .map_or("", |at| typed.get(..=at).unwrap_or(""));
-        let entries = vfs.list_dir(&folder.join(lead));
-        let shown = entries.iter().filter(|entry| {
-            !entry.name.starts_with('.') && (entry.is_dir || fits(&entry.name, key, config, lead))
-        });
-        let names = shown.map(|entry| {
-            format!(
-                "{lead}{}{}",
-                entry.name,
-                if entry.is_dir { "/" } else { "" }
-            )
-        });
-        plain(names.take(MOST_FILES))
+/// The links or joints of robots with their defaults.
+fn part_names(
+    host: &mut AnalysisHost,
+    robots: &[PathBuf],
+    links: bool,
+    cancel: &CancelFlag,
+) -> Option<DescribedNames> {
+    let mut names: BTreeSet<String> = BTreeSet::new();
+    for robot in robots {
+        let analyzed = host.analyzed(&RootConfig::plain(robot), cancel)?;
+        let Some(robot) = &analyzed.robot else {
+            continue;
+        };
+        if links {
+            names.extend(robot.links.iter().map(|link| link.shown().to_owned()));
+        } else {
+            names.extend(robot.joints.iter().map(|joint| joint.shown().to_owned()));
+        }
     }
+    Some(plain(names))
+}
+
+/// Files and folders that a path at a place may go on with.
+fn files_at(
+    session: &Session,
+    config: &Path,
+    folder: &Path,
+    place: &ConfigCursor,
+    key: Option<&str>,
+) -> DescribedNames {
+    let vfs = &session.vfs;
+    let text = vfs.text(config);
+    let typed = text
+        .as_ref()
+        .map_or("", |file| place.range.slice(&file.text));
+    let lead = typed
+        .rfind('/')
+        .map_or("", |at| typed.get(..=at).unwrap_or(""));
+    let entries = vfs.list_dir(&folder.join(lead));
+    let shown = entries.iter().filter(|entry| {
+        !entry.name.starts_with('.') && (entry.is_dir || fits(&entry.name, key, config, lead))
+    });
+    let names = shown.map(|entry| {
+        format!(
+            "{lead}{}{}",
+            entry.name,
+            if entry.is_dir { "/" } else { "" }
+        )
+    });
+    plain(names.take(MOST_FILES))
 }
 
 /// The robots of the entry of `roots` around a place.

@@ -6,24 +6,18 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::beside::{said_to_others, sort};
-use super::check::build_report;
 use super::graph::Graph;
-use super::launch_findings::shown_launch_findings;
-use super::options::CheckOptions;
 use super::proof::{AffectedRobots, Effort};
-use super::report::Report;
 use super::root_analysis::{RootAnalysis, Work, task_of};
 use super::root_config::RootConfig;
-use super::root_result::RootResult;
+use super::run_task;
 use super::scan::Scan;
 use super::session::Session;
 use super::walk::{self, Listing, is_launch};
-use super::{placing, run_task};
 use base::clock::Instant;
 use base::{CancelFlag, FastMap, TextRange};
 use expand::Forced;
 use packages::BUILD_FILES;
-use rules::check_recovered;
 use vfs::{Environment, SourceFile, Vfs};
 use workspace::config::{self, Config};
 
@@ -185,6 +179,16 @@ impl AnalysisHost {
         self.all_contexts = all;
     }
 
+    /// Whether every configured root is checked with each preset.
+    pub(super) fn has_all_contexts(&self) -> bool {
+        self.all_contexts
+    }
+
+    /// Whether a file is open.
+    pub(super) fn is_open(&self, path: &Path) -> bool {
+        self.open.contains_key(path)
+    }
+
     /// The files that are open.
     pub fn open_files(&self) -> impl Iterator<Item = &PathBuf> {
         self.open.keys()
@@ -321,20 +325,6 @@ impl AnalysisHost {
     /// The files that may include a description by a name that is computed.
     pub fn computed_includers(&self, path: &Path) -> Vec<PathBuf> {
         self.graph.computed_includers(path)
-    }
-
-    /// The files that look like robots, with each preset that the configuration lists for them.
-    pub fn robots(&self) -> Vec<RootConfig> {
-        let robots = self.graph.files().filter(|file| self.graph.is_root(file));
-        let variants = |file: &PathBuf| {
-            let variants = self.configured_variants(file);
-            if variants.is_empty() {
-                vec![RootConfig::plain(file)]
-            } else {
-                variants
-            }
-        };
-        robots.flat_map(variants).collect()
     }
 
     /// Whether all files of the workspace were looked at.
@@ -496,11 +486,10 @@ impl AnalysisHost {
 
     /// The last expansion of the robot of an open file, when the robot is large and nothing but this file was edited
     /// since: what it says of other places still holds, as far as that rests on nothing edited.
-    pub fn before_typing(&mut self, path: &Path) -> Option<Arc<RootAnalysis>> {
-        let root = self.context(path).root?;
+    pub fn before_typing(&self, root: &RootConfig, path: &Path) -> Option<Arc<RootAnalysis>> {
         let last = self
             .cache
-            .get(&root)
+            .get(root)
             .filter(|last| last.expansion.tree.len() >= Self::LARGE)?
             .clone();
         let is_sound = self.document(path)?.document.errors().is_empty();
@@ -530,68 +519,5 @@ impl AnalysisHost {
     /// The same without a look at one file.
     fn is_current_beside(&self, known: &RootAnalysis, except: &Path) -> bool {
         known.is_current_beside(&self.session.vfs, &self.env.cwd, except)
-    }
-
-    /// What there is to say about files, each under its active root. `None` when cancelled.
-    pub fn report(&mut self, paths: &[PathBuf], cancel: &CancelFlag) -> Option<Report> {
-        // one answer rests on one state of the disk, which is asked once about each file
-        let vfs = Arc::clone(&self.session.vfs);
-        let _held = vfs.freeze();
-        self.notice_meshes();
-        let mut roots: Vec<RootConfig> = Vec::new();
-        let mut own: Vec<RootConfig> = Vec::new();
-        let asked = paths;
-        let paths: Vec<&PathBuf> = paths
-            .iter()
-            .filter(|path| !walk::is_something_else(path))
-            .collect();
-        for path in &paths {
-            let root = self
-                .context(path)
-                .root
-                .unwrap_or_else(|| RootConfig::plain(path));
-            own.push(root.clone());
-            if !roots.contains(&root) {
-                roots.push(root);
-            }
-        }
-        if self.all_contexts {
-            let further = self.configured_contexts(&paths);
-            roots.extend(further.into_iter().filter(|root| !own.contains(root)));
-        }
-        let mut results = Vec::new();
-        for root in &roots {
-            let is_context = self.all_contexts || self.is_configured(root);
-            let analyzed = self.analyzed(root, cancel)?;
-            let mut result = analyzed.result(&self.session, cancel)?.clone();
-            result
-                .findings
-                .extend(check_recovered(&analyzed.expansion, &self.session.vfs));
-            results.push(RootResult {
-                is_context,
-                ..result
-            });
-        }
-        self.keep_meshes();
-        let entries: Vec<PathBuf> = paths.iter().map(|path| (*path).clone()).collect();
-        let mut beside = self.beside_findings(asked, &roots, cancel)?;
-        let robots: Vec<PathBuf> = roots.into_iter().map(|root| root.file).collect();
-        beside
-            .findings
-            .extend(shown_launch_findings(&self.session, &robots, asked, cancel));
-        let mut report = build_report(&self.session, &self.options(&entries), results, beside);
-        placing::place(&mut report, &self.session.vfs, |path| {
-            self.open.contains_key(path)
-        });
-        Some(report)
-    }
-
-    /// What a check of these files is about.
-    pub(super) fn options(&self, paths: &[PathBuf]) -> CheckOptions {
-        CheckOptions {
-            paths: self.folders.clone(),
-            entries: paths.to_vec(),
-            ..CheckOptions::default()
-        }
     }
 }

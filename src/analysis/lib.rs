@@ -53,6 +53,7 @@ mod proof;
 mod read_as_yaml;
 mod renaming;
 mod report;
+mod report_on;
 mod roles;
 mod root_analysis;
 mod root_config;
@@ -107,11 +108,17 @@ mod used_names_tests;
 mod uses_tests;
 
 pub use baseline::{Baseline, fingerprint};
-pub use beside::{Beside, files_beside, is_settings};
+pub use beside::{
+    Beside, files_beside, is_settings, read_file_beside, read_files_beside, robots_beside,
+    robots_to_name,
+};
 pub use candidates::Candidates;
 pub use check::check;
-pub use config_choices::{ConfigChoice, ConfigChoiceKind, ConfigChoices, is_config};
+pub use config_choices::{
+    ConfigChoice, ConfigChoiceKind, ConfigChoices, config_choices_at, config_key_at, is_config,
+};
 pub use configs::{Overrides, Settings};
+pub use context::{commented_argument, context, known_robots};
 pub use cut::{Cut, CutBy};
 pub use expect::{TestCase, TestOptions, Tests, Update, test, test_name};
 pub use fix::{FixOptions, Fixed, FixedFile, fix, fixable, is_installed, is_said_safe, safe_fixes};
@@ -130,6 +137,7 @@ pub use progress::Progress;
 pub use proof::{AffectedRobots, Effort, expansion_unchanged};
 pub use renaming::{NewName, Obstacle, Replaced, changed_robot};
 pub use report::{Position, Report, SkipReason, Skipped, Unreadable};
+pub use report_on::report_on;
 pub use root_analysis::{RootAnalysis, Work};
 pub use root_config::{Context, RootConfig, RootReason};
 pub use session::{Session, Setup};

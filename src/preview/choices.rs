@@ -14,12 +14,11 @@ pub(super) fn choices(
     names: &LocationFormat<'_>,
 ) -> Vec<RootName> {
     let mut found = vec![shown.clone()];
-    let own = host
-        .context(&shown.file)
+    let own = analysis::context(host, &shown.file)
         .candidates
         .into_iter()
         .map(|(root, _)| root);
-    let others = host.robots();
+    let others = analysis::known_robots(host);
     for root in own.chain([RootConfig::plain(&shown.file)]).chain(others) {
         if found.len() < MOST && !found.contains(&root) {
             found.push(root);

@@ -30,7 +30,7 @@ pub fn announce_contexts(state: &mut ServerState, cancel: &CancelFlag) {
 
 /// Tell the client under which root a file is shown now.
 fn announce_context(state: &mut ServerState, path: &std::path::Path, cancel: &CancelFlag) {
-    let context = state.host.context(path);
+    let context = analysis::context(&mut state.host, path);
     let Some(uri) = state.uri(path) else { return };
     let active = context
         .root

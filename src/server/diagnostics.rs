@@ -44,7 +44,7 @@ fn prepare(state: &mut ServerState, cause: Option<Cause>, cancel: &CancelFlag) {
         _ => return,
     };
     for path in opened.iter().filter(|path| !is_settings(path)) {
-        if let Some(root) = state.host.context(path).root {
+        if let Some(root) = analysis::context(&mut state.host, path).root {
             // what is not done when a message comes in, its answer does
             let _ = state.host.analyzed(&root, cancel);
         }
@@ -99,7 +99,7 @@ fn checked(
 ) -> Option<Report> {
     let start = Instant::now();
     let before = state.host.work();
-    let report = state.host.report(open, cancel);
+    let report = analysis::report_on(&mut state.host, open, cancel);
     let ms = start.elapsed().as_micros() as f64 / 1000.0;
     let Work {
         expanded,

@@ -30,7 +30,9 @@ pub fn chosen(state: &mut ServerState, root: RootParam) -> Result<RootConfig, Re
     if root.preset.is_none() || !root.args.is_empty() {
         return Ok(root);
     }
-    let known = state.host.context(&root.file).candidates.into_iter();
+    let known = analysis::context(&mut state.host, &root.file)
+        .candidates
+        .into_iter();
     let preset = known
         .map(|(known, _)| known)
         .find(|known| known.file == root.file && known.preset == root.preset);
@@ -52,6 +54,6 @@ pub fn chosen_or_active(
 
 /// The root that a file is shown under; a file that no root reaches is one by itself.
 pub fn active_root(state: &mut ServerState, path: &Path) -> RootConfig {
-    let root = state.host.context(path).root;
+    let root = analysis::context(&mut state.host, path).root;
     root.unwrap_or_else(|| RootConfig::plain(path))
 }

@@ -224,9 +224,7 @@ impl Bench {
 
     fn robots(&mut self) -> Value {
         self.catch_up();
-        let robots: BTreeSet<PathBuf> = self
-            .host
-            .robots()
+        let robots: BTreeSet<PathBuf> = analysis::known_robots(&self.host)
             .into_iter()
             .map(|root| root.file)
             .collect();

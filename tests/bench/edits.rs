@@ -19,7 +19,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use large::robot;
-use xacro_lsp::analysis::{AnalysisHost, RootConfig};
+use xacro_lsp::analysis::{self, AnalysisHost, RootConfig};
 use xacro_lsp::base::{CancelFlag, TextRange};
 use xacro_lsp::vfs::Environment;
 
@@ -68,7 +68,10 @@ fn edit(what: &str, text: String, at: usize, edits: usize) {
     let (at, lines) = (at as u32, text.lines().count());
     host.set_text(path, text);
     let open = [path.to_owned()];
-    let known = host.report(&open, &none).unwrap().findings.len();
+    let known = analysis::report_on(&mut host, &open, &none)
+        .unwrap()
+        .findings
+        .len();
     let mut seen = Vec::new();
     let start = Instant::now();
     for number in 0..edits {
@@ -90,7 +93,10 @@ fn edit(what: &str, text: String, at: usize, edits: usize) {
                 .expansion
                 .problems
                 .len(),
-            _ => host.report(&open, &none).unwrap().findings.len(),
+            _ => analysis::report_on(&mut host, &open, &none)
+                .unwrap()
+                .findings
+                .len(),
         });
     }
     let each = start.elapsed().as_secs_f64() * 1e3 / edits.max(1) as f64;
@@ -119,7 +125,7 @@ fn dependants(robots: usize) {
     for path in &open {
         host.set_text(path, std::fs::read_to_string(path).unwrap());
     }
-    host.report(&open, &none).unwrap();
+    analysis::report_on(&mut host, &open, &none).unwrap();
     let at = std::fs::read_to_string(&part).unwrap().find("2.5").unwrap() as u32;
     let (mut own, mut all, mut given_up) = (Vec::new(), Vec::new(), Vec::new());
     for number in 0..20 {
@@ -129,7 +135,7 @@ fn dependants(robots: usize) {
             &format!("{}.{}", number % 9 + 1, number % 10),
         );
         let start = Instant::now();
-        host.report(&open[..1], &none).unwrap();
+        analysis::report_on(&mut host, &open[..1], &none).unwrap();
         own.push(start.elapsed());
         let cancel = CancelFlag::default();
         let key = std::thread::spawn({
@@ -140,10 +146,10 @@ fn dependants(robots: usize) {
                 Instant::now()
             }
         });
-        host.report(&open, &cancel);
+        analysis::report_on(&mut host, &open, &cancel);
         let back = Instant::now();
         given_up.push(back.saturating_duration_since(key.join().unwrap()));
-        host.report(&open, &none).unwrap();
+        analysis::report_on(&mut host, &open, &none).unwrap();
         all.push(start.elapsed());
     }
     let median = |times: &mut Vec<Duration>| {

@@ -16,7 +16,7 @@ use std::path::{Path, PathBuf};
 
 use divan::{AllocProfiler, Bencher, black_box};
 use large::robot;
-use xacro_lsp::analysis::{AnalysisHost, RootConfig};
+use xacro_lsp::analysis::{self, AnalysisHost, RootConfig};
 use xacro_lsp::base::{CancelFlag, TextRange};
 use xacro_lsp::ide::{self, CompletionScope, CompletionSources, Cx};
 use xacro_lsp::vfs::Environment;
@@ -65,9 +65,11 @@ impl Session {
     }
 
     fn check(&mut self) -> usize {
-        let report = self
-            .host
-            .report(std::slice::from_ref(&self.path), &CancelFlag::default());
+        let report = analysis::report_on(
+            &mut self.host,
+            std::slice::from_ref(&self.path),
+            &CancelFlag::default(),
+        );
         report.unwrap().findings.len()
     }
 

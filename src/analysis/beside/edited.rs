@@ -3,6 +3,7 @@ use std::path::{Path, PathBuf};
 
 use super::super::host::AnalysisHost;
 use super::super::root_config::RootConfig;
+use super::super::session::Session;
 use super::around::{beside_of, beside_roots};
 use super::compare::{ComparisonResult, beside_findings};
 use super::files::{Beside, Robots, read_beside};
@@ -11,105 +12,111 @@ use super::robots::is_robot;
 use super::sort::{Sort, sort};
 use base::CancelFlag;
 
-impl AnalysisHost {
-    /// What there is to say about the files beside robots among `paths`, and about those beside robots that are shown: those
-    /// that other robots, or the same with other arguments, have to be expanded for are left to when they are open.
-    /// `None` when cancelled.
-    pub(in super::super) fn beside_findings(
-        &mut self,
-        paths: &[PathBuf],
-        roots: &[RootConfig],
-        cancel: &CancelFlag,
-    ) -> Option<ComparisonResult> {
-        let mut files: Vec<PathBuf> = paths
+/// What there is to say about the files beside robots among `paths`, and about those beside robots that are shown: those
+/// that other robots, or the same with other arguments, have to be expanded for are left to when they are open.
+/// `None` when cancelled.
+pub(in super::super) fn shown_beside_findings(
+    host: &mut AnalysisHost,
+    paths: &[PathBuf],
+    roots: &[RootConfig],
+    cancel: &CancelFlag,
+) -> Option<ComparisonResult> {
+    let mut files: Vec<PathBuf> = paths
+        .iter()
+        .filter(|path| sort(path).is_some())
+        .cloned()
+        .collect();
+    let is_for_shown = |file: &PathBuf| {
+        pairing_of(host.session(), file)
+            .roots
             .iter()
-            .filter(|path| sort(path).is_some())
-            .cloned()
-            .collect();
-        let is_for_shown = |file: &PathBuf| {
-            pairing_of(self.session(), file)
-                .roots
-                .iter()
-                .all(|own| roots.contains(own))
-        };
-        let beside = roots
+            .all(|own| roots.contains(own))
+    };
+    let beside = roots
+        .iter()
+        .flat_map(|root| beside_of(host.session(), &root.file));
+    files.extend(beside.filter(is_for_shown));
+    files.sort();
+    files.dedup();
+    let robots = analyzed_for(host, &files, cancel)?;
+    let found = beside_findings(host.session(), &files, cancel, &robots);
+    (!cancel.is_cancelled()).then_some(found)
+}
+
+/// What has to be expanded to judge files beside robots. `None` when cancelled.
+fn analyzed_for(host: &mut AnalysisHost, files: &[PathBuf], cancel: &CancelFlag) -> Option<Robots> {
+    let mut robots = Robots::default();
+    for root in beside_roots(host.session(), files) {
+        let analyzed = host.analyzed(&root, cancel)?;
+        robots.insert(root, analyzed);
+    }
+    Some(robots)
+}
+
+/// The files beside a robot, read. `None` when cancelled.
+pub fn read_files_beside(
+    host: &mut AnalysisHost,
+    root: &Path,
+    cancel: &CancelFlag,
+) -> Option<Vec<Beside>> {
+    let files = beside_of(host.session(), root);
+    read(host, &files, cancel)
+}
+
+/// A file beside robots, read; none when it says nothing about one. `None` when cancelled.
+pub fn read_file_beside(
+    host: &mut AnalysisHost,
+    path: &Path,
+    cancel: &CancelFlag,
+) -> Option<Option<Beside>> {
+    Some(read(host, &[path.to_owned()], cancel)?.pop())
+}
+
+/// Files beside robots, read: of these, only SRDFs are expanded.
+fn read(host: &mut AnalysisHost, files: &[PathBuf], cancel: &CancelFlag) -> Option<Vec<Beside>> {
+    let mut srdfs = Robots::default();
+    for file in files.iter().filter(|file| sort(file) == Some(Sort::Srdf)) {
+        let root = RootConfig::plain(file);
+        let analyzed = host.analyzed(&root, cancel)?;
+        srdfs.insert(root, analyzed);
+    }
+    Some(
+        files
             .iter()
-            .flat_map(|root| beside_of(self.session(), &root.file));
-        files.extend(beside.filter(is_for_shown));
-        files.sort();
-        files.dedup();
-        let robots = self.analyzed_for(&files, cancel)?;
-        let found = beside_findings(self.session(), &files, cancel, &robots);
-        (!cancel.is_cancelled()).then_some(found)
-    }
+            .filter_map(|file| read_beside(host.session(), file, &srdfs))
+            .collect(),
+    )
+}
 
-    /// What has to be expanded to judge files beside robots. `None` when cancelled.
-    fn analyzed_for(&mut self, files: &[PathBuf], cancel: &CancelFlag) -> Option<Robots> {
-        let mut robots = Robots::default();
-        for root in beside_roots(self.session(), files) {
-            let analyzed = self.analyzed(&root, cancel)?;
-            robots.insert(root, analyzed);
-        }
-        Some(robots)
+/// The robots that a file beside them is for, the most likely one first.
+pub fn robots_beside(session: &Session, path: &Path) -> Vec<RootConfig> {
+    match sort(path) {
+        Some(_) => pairing_of(session, path).roots.clone(),
+        None => Vec::new(),
     }
+}
 
-    /// The files beside a robot, read. `None` when cancelled.
-    pub fn beside(&mut self, root: &Path, cancel: &CancelFlag) -> Option<Vec<Beside>> {
-        let files = beside_of(self.session(), root);
-        self.read(&files, cancel)
+/// The robots whose names may be used in a file: those that it is for; where nothing says which, a few of the workspace.
+/// Enough to offer names, not to judge them.
+pub fn robots_to_name(session: &Session, path: &Path) -> Vec<RootConfig> {
+    const MOST: usize = 4;
+    let known = robots_beside(session, path);
+    if !known.is_empty() {
+        return known;
     }
-
-    /// A file beside robots, read; none when it says nothing about one. `None` when cancelled.
-    pub fn beside_itself(&mut self, path: &Path, cancel: &CancelFlag) -> Option<Option<Beside>> {
-        Some(self.read(&[path.to_owned()], cancel)?.pop())
-    }
-
-    /// Files beside robots, read: of these, only SRDFs are expanded.
-    fn read(&mut self, files: &[PathBuf], cancel: &CancelFlag) -> Option<Vec<Beside>> {
-        let mut srdfs = Robots::default();
-        for file in files.iter().filter(|file| sort(file) == Some(Sort::Srdf)) {
-            let root = RootConfig::plain(file);
-            let analyzed = self.analyzed(&root, cancel)?;
-            srdfs.insert(root, analyzed);
-        }
-        Some(
-            files
-                .iter()
-                .filter_map(|file| read_beside(self.session(), file, &srdfs))
-                .collect(),
-        )
-    }
-
-    /// The robots that a file beside them is for, the most likely one first.
-    pub fn robots_beside(&self, path: &Path) -> Vec<RootConfig> {
-        match sort(path) {
-            Some(_) => pairing_of(self.session(), path).roots.clone(),
-            None => Vec::new(),
-        }
-    }
-
-    /// The robots whose names may be used in a file: those that it is for; where nothing says which, a few of the workspace.
-    /// Enough to offer names, not to judge them.
-    pub fn robots_to_name(&self, path: &Path) -> Vec<RootConfig> {
-        const MOST: usize = 4;
-        let known = self.robots_beside(path);
-        if !known.is_empty() {
-            return known;
-        }
-        let all = self.session().callers.descriptions(path);
-        all.iter()
-            .filter(|file| is_robot(self.session(), file))
-            .take(MOST)
-            .map(|file| RootConfig::plain(file))
-            .collect()
-    }
+    let all = session.callers.descriptions(path);
+    all.iter()
+        .filter(|file| is_robot(session, file))
+        .take(MOST)
+        .map(|file| RootConfig::plain(file))
+        .collect()
 }
 
 #[cfg(test)]
 mod tests {
     use std::path::PathBuf;
 
-    use super::AnalysisHost;
+    use super::{AnalysisHost, robots_beside};
     use base::TextRange;
     use vfs::testing::Tree;
 
@@ -129,7 +136,7 @@ mod tests {
         tree.write("urdf/b.urdf.xacro", &robot("b", "other.xacro"));
         let mut host = AnalysisHost::new(tree.environment(&[]), vec![tree.root().to_owned()]);
         let robots = |host: &AnalysisHost| -> Vec<PathBuf> {
-            let all = host.robots_beside(&tree.path("config/c.yaml"));
+            let all = robots_beside(host.session(), &tree.path("config/c.yaml"));
             all.into_iter().map(|root| root.file).collect()
         };
         let path = tree.path("urdf/b.urdf.xacro");

@@ -17,6 +17,8 @@ mod spelled;
 pub use around::files_beside;
 pub(super) use around::{beside_files, beside_roots};
 pub(super) use compare::{ComparisonResult, beside_findings, is_in_launched};
+pub(super) use edited::shown_beside_findings;
+pub use edited::{read_file_beside, read_files_beside, robots_beside, robots_to_name};
 pub use files::Beside;
 pub(super) use files::Robots;
 pub(super) use paired::Pairing;

@@ -205,9 +205,7 @@ fn quick_fixes(
         // a sign beside the text is not to wait for a check of the whole robot; findings bring the next request
         return Ok(Vec::new());
     }
-    let report = state
-        .host
-        .report(&[path.to_path_buf()], cancel)
+    let report = analysis::report_on(&mut state.host, &[path.to_path_buf()], cancel)
         .ok_or(RequestFailure::Cancelled)?;
     let effort = state.host.effort(path, QUICK_PROOF_EXPANSIONS, cancel);
     let mut found: Vec<CodeAction> = Vec::new();
@@ -434,9 +432,7 @@ fn fix_all(
     source: &SourceFile,
     cancel: &CancelFlag,
 ) -> Result<Option<CodeAction>, RequestFailure> {
-    let report = state
-        .host
-        .report(&[path.to_path_buf()], cancel)
+    let report = analysis::report_on(&mut state.host, &[path.to_path_buf()], cancel)
         .ok_or(RequestFailure::Cancelled)?;
     let own = |(_, finding): &(usize, &Finding)| {
         finding

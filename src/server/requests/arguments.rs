@@ -79,7 +79,7 @@ fn arguments_of(asked: &Asked, finding: &Finding) -> Vec<String> {
 /// The values of an argument in presets and in calls of launch files, then those that it may have by files and comments,
 /// each once. `None` for a file that is seen under no robot.
 fn known_values(state: &mut ServerState, asked: &Asked, name: &str) -> Option<Vec<String>> {
-    let context = state.host.context(&asked.source.path);
+    let context = analysis::context(&mut state.host, &asked.source.path);
     let root = context.root?;
     let presets = context
         .candidates

@@ -21,9 +21,7 @@ pub fn names_beside(
     root: &RootConfig,
     cancel: &CancelFlag,
 ) -> Result<Vec<BesideName>, RequestFailure> {
-    let files = state
-        .host
-        .beside(&root.file, cancel)
+    let files = analysis::read_files_beside(&mut state.host, &root.file, cancel)
         .ok_or(RequestFailure::Cancelled)?;
     Ok(files
         .iter()
@@ -70,14 +68,12 @@ pub fn asked_beside(
     offset: u32,
     cancel: &CancelFlag,
 ) -> Result<Option<Asked>, RequestFailure> {
-    let roots = state.host.robots_beside(path);
+    let roots = analysis::robots_beside(state.host.session(), path);
     if roots.is_empty() || is_at_xacro_name(path, source, offset) {
         return Ok(None);
     }
     // most places of YAML are at no name: no robot is expanded for them
-    let own = state
-        .host
-        .beside_itself(path, cancel)
+    let own = analysis::read_file_beside(&mut state.host, path, cancel)
         .ok_or(RequestFailure::Cancelled)?;
     let names = own.map(|own| names_in(state, &own)).unwrap_or_default();
     if !names.iter().any(|name| name.place.range.touches(offset)) {
@@ -134,9 +130,7 @@ pub fn completions(
     let robots = robots_named(state, &path, cancel);
     let mut beside: Vec<Beside> = Vec::new();
     for robot in &robots {
-        let files = state
-            .host
-            .beside(&robot.root.file, cancel)
+        let files = analysis::read_files_beside(&mut state.host, &robot.root.file, cancel)
             .ok_or(RequestFailure::Cancelled)?;
         beside.extend(files.into_iter().filter(|file| file.path != path));
     }
@@ -175,7 +169,7 @@ fn robots_named(
     path: &Path,
     cancel: &CancelFlag,
 ) -> Vec<Arc<RootAnalysis>> {
-    let roots = state.host.robots_to_name(path);
+    let roots = analysis::robots_to_name(state.host.session(), path);
     roots
         .iter()
         .flat_map(|root| {

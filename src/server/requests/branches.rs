@@ -150,7 +150,7 @@ fn roots(state: &mut ServerState, asked: &Asked, spans: &[Span]) -> Vec<RootConf
     let mut found = vec![asked.analyzed.root.clone()];
     for file in files {
         let path = state.host.session().vfs.path(file);
-        for (root, _) in state.host.context(&path).candidates {
+        for (root, _) in analysis::context(&mut state.host, &path).candidates {
             if !found.contains(&root) {
                 found.push(root);
             }

@@ -102,7 +102,7 @@ fn kept(
     cancel: &CancelFlag,
 ) -> Result<CompletionSnapshot, RequestFailure> {
     let (path, source) = state.source(uri)?;
-    let context = state.host.context(&path);
+    let context = analysis::context(&mut state.host, &path);
     let root = context.root.unwrap_or_else(|| RootConfig::plain(&path));
     let mut analyzed = state.host.while_typing(&root, &path, cancel);
     if cancel.is_cancelled() {

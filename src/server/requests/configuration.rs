@@ -23,7 +23,7 @@ pub fn completion(
 ) -> Result<Option<CompletionResponse>, RequestFailure> {
     let (path, source) = state.source(&at.text_document.uri)?;
     let offset = convert::offset(&source.document, at.position, state.encoding);
-    let found = state.host.config_choices_at(&path, offset, cancel);
+    let found = analysis::config_choices_at(&mut state.host, &path, offset, cancel);
     if cancel.is_cancelled() {
         return Err(RequestFailure::Cancelled);
     }
@@ -64,7 +64,7 @@ pub fn hover(
 ) -> Result<Option<lsp_types::Hover>, RequestFailure> {
     let (path, source) = state.source(&at.text_document.uri)?;
     let offset = convert::offset(&source.document, at.position, state.encoding);
-    let found = state.host.config_key_at(&path, offset);
+    let found = analysis::config_key_at(state.host.session(), &path, offset);
     Ok(found.map(|(range, doc)| lsp_types::Hover {
         range: Some(convert::range(&source.document, range, state.encoding)),
         contents: HoverContents::Markup(state.client.hover.contents(doc.to_owned())),

@@ -56,7 +56,9 @@ fn hover_while_typing(
     at: &TextDocumentPositionParams,
 ) -> Result<Option<lsp_types::Hover>, RequestFailure> {
     let (path, source) = state.source(&at.text_document.uri)?;
-    let Some(before) = state.host.before_typing(&path) else {
+    let root = analysis::context(&mut state.host, &path).root;
+    let before = root.and_then(|root| state.host.before_typing(&root, &path));
+    let Some(before) = before else {
         return Ok(None);
     };
     let cx = Cx {

@@ -112,7 +112,9 @@ pub fn in_launch_files(state: &mut ServerState, asked: &Asked) -> (Vec<Span>, Ve
         return Default::default();
     };
     let path = state.host.session().vfs.path(target.name.file);
-    let candidates = state.host.context(&path).candidates.into_iter();
+    let candidates = analysis::context(&mut state.host, &path)
+        .candidates
+        .into_iter();
     let mut robots: Vec<PathBuf> = candidates.map(|(root, _)| root.file).collect();
     robots.dedup();
     (

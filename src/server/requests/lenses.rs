@@ -204,7 +204,7 @@ pub fn calls_of(
         .into_iter()
         .filter_map(|span| location(state, span))
         .collect();
-    let candidates = state.host.context(&asked.source.path).candidates;
+    let candidates = analysis::context(&mut state.host, &asked.source.path).candidates;
     // of several roots, only the active one is counted
     let root = match candidates.len() {
         0 | 1 => "1 root".to_owned(),

@@ -82,7 +82,7 @@ fn sharing(
     let mut roots = Vec::new();
     for span in &given {
         let path = state.host.session().vfs.path(span.file);
-        for (root, _) in state.host.context(&path).candidates {
+        for (root, _) in analysis::context(&mut state.host, &path).candidates {
             if root != asked.analyzed.root && !roots.contains(&root) {
                 roots.push(root);
             }

@@ -139,9 +139,7 @@ fn admit_new_name(
     }
     let mut roots = vec![asked.analyzed.root.clone()];
     for path in replaced.keys() {
-        let further = state
-            .host
-            .context(path)
+        let further = analysis::context(&mut state.host, path)
             .candidates
             .into_iter()
             .map(|(root, _)| root);
@@ -215,9 +213,7 @@ fn in_presets(state: &mut ServerState, asked: &Asked) -> Vec<Span> {
         return Vec::new();
     };
     let path = state.host.session().vfs.path(target.name.file);
-    let roots: Vec<PathBuf> = state
-        .host
-        .context(&path)
+    let roots: Vec<PathBuf> = analysis::context(&mut state.host, &path)
         .candidates
         .into_iter()
         .map(|(r, _)| r.file)
@@ -243,7 +239,9 @@ fn in_presets(state: &mut ServerState, asked: &Asked) -> Vec<Span> {
         found.extend(places.into_iter().map(|range| Span { file: id, range }));
     }
     let known = state.host.known_files().into_iter();
-    let comments = known.filter_map(|file| state.host.commented_argument(&file, &argument.name));
+    let comments = known.filter_map(|file| {
+        analysis::commented_argument(state.host.session(), &file, &argument.name)
+    });
     found.extend(
         comments
             .filter(|(root, _)| roots.contains(root))
@@ -319,9 +317,7 @@ fn unseen_root(state: &mut ServerState, spans: &[Span], seen: &[RootConfig]) -> 
     let files: BTreeSet<_> = spans.iter().map(|span| span.file).collect();
     files.into_iter().find_map(|file| {
         let path = state.host.session().vfs.path(file);
-        let mut roots = state
-            .host
-            .context(&path)
+        let mut roots = analysis::context(&mut state.host, &path)
             .candidates
             .into_iter()
             .map(|(root, _)| root);

@@ -113,7 +113,7 @@ pub fn roots(
     cancel: &CancelFlag,
 ) -> Result<FileRoots, RequestFailure> {
     let (path, _) = state.source(&params.text_document.uri)?;
-    let context = state.host.context(&path);
+    let context = analysis::context(&mut state.host, &path);
     let mut args = Vec::new();
     if let Some(root) = &context.root {
         let analyzed = state
@@ -203,9 +203,7 @@ pub fn set_args(
         root.args.extend(args);
         // all files of the robot are seen with these values
         for open in state.documents.keys().chain([&path]) {
-            if state
-                .host
-                .context(open)
+            if analysis::context(&mut state.host, open)
                 .root
                 .is_some_and(|other| other.file == file)
             {

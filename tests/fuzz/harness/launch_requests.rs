@@ -99,8 +99,7 @@ pub fn launch_requests(data: &[u8]) {
     }
     let roots: Vec<RootConfig> = analysis::launched_roots(host.session(), &robot);
     assert!(roots.len() <= xacro_lsp::base::limits::CALL_RUNS);
-    let report = host
-        .report(&[robot, path.clone()], &CancelFlag::default())
+    let report = analysis::report_on(&mut host, &[robot, path.clone()], &CancelFlag::default())
         .expect("nobody cancels");
     for finding in &report.findings {
         assert_eq!(
