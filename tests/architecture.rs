@@ -252,11 +252,11 @@ fn only_vfs_touches_the_disk_and_only_the_server_speaks_the_protocol() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// The methods of a type stand in the file of the type: who reads the one finds the others. In `analysis` those of the
-/// session, which is asked everything, stand with what they are about; there are not to be more.
+/// The methods of a type stand in the file of the type: who reads the one finds the others. What is asked of the state of
+/// a program, such as the session in `analysis`, is a function that takes it, in the module of the question.
 #[test]
 fn methods_stand_beside_their_type() {
-    for (crate_name, most) in [("server", 0), ("analysis", 46)] {
+    for (crate_name, most) in [("server", 0), ("analysis", 0)] {
         let away = methods_away_from_their_type(crate_name);
         assert!(
             away.len() <= most,
@@ -312,7 +312,7 @@ fn files_are_short() {
 /// Who reads a file should not have to read all others first: files that use each other in a circle are few.
 #[test]
 fn files_use_each_other_in_one_direction() {
-    for (crate_name, most) in [("rules", 16), ("expand", 5), ("analysis", 5), ("server", 3)] {
+    for (crate_name, most) in [("rules", 16), ("expand", 5), ("analysis", 0), ("server", 3)] {
         let circles = imports::circles(crate_name);
         let count: usize = circles.iter().map(|circle| circle.len()).sum();
         assert!(

@@ -1,4 +1,4 @@
-//! Files that nobody uses: copies and old versions, and what xacro generated.
+//! What is wrong in files that nobody uses, such as copies and old versions, or that are for another program.
 use std::path::Path;
 
 use super::check_task::{CheckReason, CheckTask};
