@@ -13,6 +13,7 @@ use super::launched_descriptions::LaunchedDescriptions;
 use super::launched_transforms::LaunchedTransforms;
 use super::options::CheckOptions;
 use super::session::Session;
+use super::uses::is_example_of_driver;
 use super::walk::is_launch;
 use base::{CancelFlag, FastSet};
 use packages::nearest;
@@ -126,7 +127,8 @@ fn findings_of_loads(session: &Session, loads: &[RobotCall], found: &mut Vec<Fin
 
 /// What is found from a place on in a launch file that nobody runs is an info.
 fn lower_left_over(session: &Session, caller: &Path, found: &mut [Finding], from: usize) {
-    if found.len() > from && is_launch_left_over(session, caller) {
+    let is_idle = || is_launch_left_over(session, caller) || is_example_of_driver(session, caller);
+    if found.len() > from && is_idle() {
         let own = found.iter_mut().skip(from);
         own.for_each(|one| one.severity = one.severity.min(Severity::Info));
     }

@@ -74,6 +74,13 @@ pub(super) fn settle_by_use(session: &Session, task: &CheckTask, findings: &mut 
     lower_where(findings, about(named::RESERVED_FRAME_NAME), || {
         (!session.callers.localize_any(file)).then_some(Severity::Info)
     });
+    // where it is no link, a program may publish it
+    let is_published = |finding: &Finding| {
+        let frame = finding.message.split('`').nth(1);
+        finding.rule == named::PLUGIN_UNKNOWN_FRAME
+            && frame.is_some_and(|frame| session.callers.say_name(file, frame))
+    };
+    lower_where(findings, is_published, info);
     let is_spaced = |finding: &Finding| {
         finding.rule == named::INVALID_NAME && is_name_of_no_controller(session, file, finding)
     };
@@ -270,6 +277,22 @@ fn has_path(session: &Session, text: &Path, file: &Path) -> bool {
     let tail = Path::new(folder.unwrap_or_default()).join(file.file_name().unwrap_or_default());
     let tail = vfs::slashed(&tail);
     session.packages.is_text(text, |text| text.contains(&tail))
+}
+
+/// Whether a launch file comes with a driver of ros2_control, which has no robot of its own, and no text names it: it is an example,
+/// and robots of other packages use the driver.
+pub(super) fn is_example_of_driver(session: &Session, launch: &Path) -> bool {
+    const EXPORT: &str = "pluginlib_export_plugin_description_file(hardware_interface";
+    let Some(package) = session.packages.containing(launch) else {
+        return false;
+    };
+    let build = session.vfs.text(&package.folder.join("CMakeLists.txt"));
+    let all = session.callers.descriptions(launch);
+    let has_robot = all.iter().any(|file| file.starts_with(&package.folder));
+    build.is_ok_and(|build| build.text.contains(EXPORT))
+        && !all.is_empty()
+        && !has_robot
+        && !is_named_in_use(session, launch)
 }
 
 /// Whether a launch file runs xacro on a file, whatever its ending is, or somebody ran it and kept the result beside it.
