@@ -11,6 +11,7 @@ mod convert;
 mod diagnostics;
 mod documents;
 mod embedded;
+mod encoded_tokens;
 mod events;
 mod exit;
 mod failure;

@@ -102,6 +102,9 @@ pub fn client_ready(state: &mut ServerState, _: InitializedParams) {
         state.outbox.request(ClientRequest::Register(registrations));
     }
     request_settings(state);
+    if state.client.configuration {
+        state.diagnostics.hold_for_settings();
+    }
     if state.client.progress && !state.host.folders().is_empty() {
         state
             .outbox

@@ -60,6 +60,8 @@ pub(super) struct DiagnosticsScheduler {
     phase: Phase,
     /// The pause after the last edit before they are made.
     delay: Duration,
+    /// They are not made before, unless the settings come earlier: with other settings they are others.
+    held: Option<Instant>,
 }
 
 impl Default for DiagnosticsScheduler {
@@ -67,6 +69,7 @@ impl Default for DiagnosticsScheduler {
         Self {
             phase: Phase::Current,
             delay: Self::DELAY,
+            held: None,
         }
     }
 }
@@ -75,6 +78,19 @@ impl DiagnosticsScheduler {
     /// The pause after the last edit unless configured: so long that letters of one stroke come together, too short to
     /// be noticed.
     const DELAY: Duration = Duration::from_millis(20);
+
+    /// How long the answer about settings may take. Clients answer in a few milliseconds, or never.
+    const MOST_HELD: Duration = Duration::from_millis(500);
+
+    /// Make none until the settings are there, which the client was asked for.
+    pub fn hold_for_settings(&mut self) {
+        self.held = Some(Instant::now() + Self::MOST_HELD);
+    }
+
+    /// The settings are there.
+    pub fn release(&mut self) {
+        self.held = None;
+    }
 
     /// Have the next pauses last as long as the user says; none: as long as they do by default.
     pub fn set_delay(&mut self, delay: Option<Duration>) {
@@ -102,7 +118,10 @@ impl DiagnosticsScheduler {
     pub fn rest(&self) -> Option<Duration> {
         match self.phase {
             Phase::Current => None,
-            Phase::Due { at, .. } => Some(at.saturating_duration_since(Instant::now())),
+            Phase::Due { at, .. } => {
+                let at = self.held.map_or(at, |held| held.max(at));
+                Some(at.saturating_duration_since(Instant::now()))
+            }
         }
     }
 

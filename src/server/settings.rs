@@ -48,6 +48,7 @@ pub fn configured(state: &mut ServerState, scopes: &[Option<Url>], values: &[Val
         })
         .collect();
     take_settings(state, given);
+    state.diagnostics.release();
     state.schedule(Cause::SettingsChanged);
 }
 

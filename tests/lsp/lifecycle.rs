@@ -1,5 +1,7 @@
 //! F1, F31, F32: from `initialize` to the end of the process.
 
+use std::time::Duration;
+
 use serde_json::{Value, json};
 
 use super::client::{Client, Options};
@@ -301,4 +303,20 @@ fn each_folder_has_its_own_settings() {
         scopes.contains(&client.uri("one")) && scopes.contains(&client.uri("two")),
         "{scopes:?}"
     );
+}
+
+#[test]
+fn the_first_diagnostics_know_the_settings() {
+    let options = Options {
+        settings: json!({ "severity": { "undefined-property": "info" } }),
+        ..Options::default()
+    };
+    let mut client = Client::with(pan_tilt(), options);
+    let text = "<robot name=\"r\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\"><link name=\"${nothing}\"/></robot>";
+    client.open_with(ROBOT, text);
+    // the server has asked, and gets no answer yet
+    std::thread::sleep(Duration::from_millis(200));
+    let list = client.diagnostics(ROBOT);
+    let found = list.iter().find(|one| one["code"] == "undefined-property");
+    assert_eq!(found.unwrap()["severity"], 3, "{list:?}");
 }

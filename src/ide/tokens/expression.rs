@@ -14,7 +14,7 @@ struct TokenSite<'t, 'a> {
     node: Option<Node<'a>>,
 }
 
-impl Collector<'_> {
+impl Collector<'_, '_> {
     /// The expressions of a text; `plain` is what the text around them is.
     pub fn template(
         &mut self,
@@ -74,6 +74,19 @@ impl Collector<'_> {
         }
     }
 
+    /// What a name in an expression of `node` is.
+    fn named(
+        &self,
+        name: &str,
+        range: TextRange,
+        node: Option<Node<'_>>,
+    ) -> (TokenKind, Modifiers) {
+        if self.names.at(range).is_none() {
+            self.rests_on_properties.set(true);
+        }
+        self.names.named(name, range, node)
+    }
+
     fn brackets(&mut self, site: &TokenSite<'_, '_>, range: TextRange, inner: TextRange) {
         for bracket in [
             TextRange::new(range.start, inner.start),
@@ -123,12 +136,12 @@ impl Collector<'_> {
                     None => (TokenKind::Property, PLAIN),
                 },
                 WordKind::Name if is_eval && self.names.at(site.text.range(place)).is_none() => {
-                    match self.names.named(text(i), site.text.range(place), None) {
+                    match self.named(text(i), site.text.range(place), None) {
                         (TokenKind::Variable, PLAIN) => (TokenKind::Parameter, PLAIN),
                         found => found,
                     }
                 }
-                WordKind::Name => self.names.named(text(i), site.text.range(place), site.node),
+                WordKind::Name => self.named(text(i), site.text.range(place), site.node),
                 WordKind::String
                     if before(1) == "[" && text(i + 1) == "]" && is_operand(before(2)) =>
                 {

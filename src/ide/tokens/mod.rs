@@ -1,14 +1,18 @@
 //! Which piece of a file is what: the base of colors.
 
 mod expression;
+mod kept;
 mod names;
 mod tags;
+
+use std::cell::Cell;
 
 use super::context::Cx;
 use super::hover::condition;
 use base::TextRange;
+pub use kept::{KeptTokens, PartTokens};
 use names::KnownNames;
-use xml::{Node, NodeKind};
+use xml::{Item, Node, NodeKind};
 
 /// What a piece of text is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -74,41 +78,11 @@ pub fn tokens(cx: &Cx<'_>, within: TextRange) -> Vec<HighlightToken> {
     let around = parts.iter().fold(within, |around, (base, item)| {
         TextRange::new(around.start.min(*base), around.end.max(base + item.len()))
     });
-    let mut out = Collector {
-        cx,
-        names: KnownNames::of(cx, around),
-        found: Vec::new(),
-    };
-    for (base, item) in parts {
-        let mut dead_end = 0;
-        for node in item.all_nodes() {
-            if node.range().start < dead_end {
-                continue;
-            }
-            match node.kind() {
-                NodeKind::Element => {
-                    out.element(base, node);
-                    if let Some(content) = out.dead_content(base, node) {
-                        out.add(content.shift(base), TokenKind::Comment, Modifiers::UNUSED);
-                        dead_end = content.end;
-                    }
-                }
-                NodeKind::Text if node.has_dollar() => out.text(base, node),
-                _ => {}
-            }
-        }
-    }
-    let mut found = out.found;
-    found.sort_by_key(|token| (token.range.start, token.range.end));
-    let mut end = 0;
-    found.retain(|token| {
-        let free = token.range.start >= end && !token.range.is_empty();
-        if free {
-            end = token.range.end;
-        }
-        free && overlap(token.range, within)
-    });
-    found
+    let names = KnownNames::of(cx, around);
+    let found = parts
+        .into_iter()
+        .flat_map(|(base, item)| Collector::new(cx, &names).part(base, item));
+    found.filter(|token| overlap(token.range, within)).collect()
 }
 
 /// Whether two ranges have a byte in common.
@@ -116,13 +90,61 @@ fn overlap(one: TextRange, other: TextRange) -> bool {
     one.start < other.end && other.start < one.end
 }
 
-struct Collector<'a> {
-    cx: &'a Cx<'a>,
-    names: KnownNames<'a>,
+struct Collector<'c, 'a> {
+    cx: &'c Cx<'a>,
+    names: &'c KnownNames<'a>,
     found: Vec<HighlightToken>,
+    /// Whether what was found rests on more than the text and the names in it.
+    rests_on_robot: Cell<bool>,
+    /// Whether it rests on what properties there are.
+    rests_on_properties: Cell<bool>,
 }
 
-impl Collector<'_> {
+impl<'c, 'a> Collector<'c, 'a> {
+    fn new(cx: &'c Cx<'a>, names: &'c KnownNames<'a>) -> Self {
+        Self {
+            cx,
+            names,
+            found: Vec::new(),
+            rests_on_robot: Cell::new(false),
+            rests_on_properties: Cell::new(false),
+        }
+    }
+
+    /// The pieces of an item that begins at `base`, in order.
+    fn part(&mut self, base: u32, item: &Item) -> Vec<HighlightToken> {
+        let mut dead_end = 0;
+        for node in item.all_nodes() {
+            if node.range().start < dead_end {
+                continue;
+            }
+            match node.kind() {
+                NodeKind::Element => {
+                    self.element(base, node);
+                    if let Some(content) = self.dead_content(base, node) {
+                        self.add(content.shift(base), TokenKind::Comment, Modifiers::UNUSED);
+                        dead_end = content.end;
+                    }
+                }
+                NodeKind::Text if node.has_dollar() => self.text(base, node),
+                _ => {}
+            }
+        }
+        let mut found = std::mem::take(&mut self.found);
+        found.sort_by_key(|token| (token.range.start, token.range.end));
+        let mut end = 0;
+        found.retain(|token| {
+            let free = token.range.start >= end && !token.range.is_empty();
+            if free {
+                end = token.range.end;
+            }
+            free
+        });
+        found
+    }
+}
+
+impl Collector<'_, '_> {
     fn add(&mut self, range: TextRange, kind: TokenKind, modifiers: Modifiers) {
         self.found.push(HighlightToken {
             range,
@@ -138,6 +160,7 @@ impl Collector<'_> {
             "xacro:unless" => false,
             _ => return None,
         };
+        self.rests_on_robot.set(true);
         let truths = condition(self.cx, base, node)?;
         if truths != [Some(!wanted)] {
             return None;

@@ -12,18 +12,21 @@ use xml::Node;
 /// The names of a file that expansion came by, and those that all expressions know.
 pub(super) struct KnownNames<'a> {
     /// By their place in the file.
-    known: FastMap<TextRange, SymbolKind>,
+    known: Vec<KnownName>,
     globals: FastMap<&'static str, (TokenKind, Modifiers)>,
     /// What stands for a name that expansion did not come by.
     properties: OnceCell<FastSet<&'a str>>,
     symbols: &'a Symbols,
 }
 
+/// What the name at a place is.
+pub(super) type KnownName = (TextRange, SymbolKind);
+
 impl<'a> KnownNames<'a> {
     /// Those of a part of the file.
     pub fn of(cx: &Cx<'a>, within: TextRange) -> Self {
         let symbols = &cx.expansion.index.symbols;
-        let mut known = FastMap::default();
+        let mut known = Vec::new();
         let base_of = cx.base_of();
         let given = symbols.definitions.iter();
         let given = given.map(|given| (given.place, given.kind));
@@ -33,9 +36,13 @@ impl<'a> KnownNames<'a> {
         for (place, kind) in given.chain(used) {
             let place = base_of(place.src).map(|base| place.range.shift(base));
             if let Some(place) = place.filter(|place| overlap(*place, within)) {
-                known.insert(place, kind);
+                known.push((place, kind));
             }
         }
+        // of several, the last one counts
+        known.reverse();
+        known.sort_by_key(|(place, _)| (place.start, place.end));
+        known.dedup_by_key(|(place, _)| *place);
         Self {
             known,
             globals: globals(),
@@ -44,9 +51,25 @@ impl<'a> KnownNames<'a> {
         }
     }
 
+    /// The names that begin in a part of the file.
+    pub fn within(&self, part: TextRange) -> &[KnownName] {
+        let before = |offset: u32| {
+            self.known
+                .partition_point(|(place, _)| place.start < offset)
+        };
+        self.known
+            .get(before(part.start)..before(part.end))
+            .unwrap_or_default()
+    }
+
     /// What the name at a place is.
     pub fn at(&self, range: TextRange) -> Option<TokenKind> {
-        self.known.get(&range).map(|kind| match kind {
+        let key = |range: &TextRange| (range.start, range.end);
+        let found = self
+            .known
+            .binary_search_by_key(&key(&range), |(place, _)| key(place));
+        let (_, kind) = self.known.get(found.ok()?)?;
+        Some(match kind {
             SymbolKind::Property | SymbolKind::BlockProperty => TokenKind::Variable,
             SymbolKind::Parameter | SymbolKind::BlockParameter | SymbolKind::Argument => {
                 TokenKind::Parameter
@@ -79,7 +102,7 @@ impl<'a> KnownNames<'a> {
     }
 
     /// The names of all properties.
-    fn properties(&self) -> &FastSet<&'a str> {
+    pub fn properties(&self) -> &FastSet<&'a str> {
         self.properties.get_or_init(|| {
             let given = self.symbols.definitions.iter();
             let properties = given.filter(|given| given.kind == SymbolKind::Property);

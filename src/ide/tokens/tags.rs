@@ -10,7 +10,7 @@ use xml::{Attr, Node};
 const PLAIN: Modifiers = Modifiers(0);
 const GIVEN: Modifiers = Modifiers::DECLARATION;
 
-impl Collector<'_> {
+impl Collector<'_, '_> {
     /// The two tags of an element.
     pub fn element(&mut self, base: u32, node: Node<'_>) {
         let called = node.name().strip_prefix("xacro:");
@@ -111,6 +111,7 @@ impl Collector<'_> {
 
     /// Whether the robot has a joint of the name.
     fn is_joint(&self, name: &str) -> bool {
+        self.rests_on_robot.set(true);
         self.cx
             .robot
             .is_some_and(|robot| robot.joint(name).is_some())

@@ -9,7 +9,7 @@ use super::super::vocabulary::is_surroundings;
 use base::FastSet;
 use expand::{XId, XKind, XTree};
 use model::AttrValue;
-use packages::Suggestions;
+use packages::{RosVersion, Suggestions};
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "CTL036",
@@ -29,7 +29,21 @@ const OF_SENSORS: [&str; 2] = ["gz_frame_id", "ignition_frame_id"];
 /// What the plugins of sensors call it, in ROS 2 and in ROS 1.
 ///
 /// Source: `gazebo_plugins` on the branches `ros2` and `noetic-devel`.
-const OF_PLUGINS: [&str; 2] = ["frame_name", "frameName"];
+const IN_ROS2: &str = "frame_name";
+const IN_ROS1: &str = "frameName";
+
+/// Types of sensors whose data are points: programs need their frame. What reads images or the values of an IMU often does not.
+const OF_POINTS: [&str; 9] = [
+    "depth",
+    "depth_camera",
+    "gpu_lidar",
+    "gpu_ray",
+    "lidar",
+    "multicamera",
+    "ray",
+    "rgbd",
+    "rgbd_camera",
+];
 
 /// Plugins that give data in a frame of the world, by a part of their names.
 const IN_THE_WORLD: [&str; 2] = ["p3d", "ft_sensor"];
@@ -53,12 +67,14 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     // of a link that is not there, Gazebo ignores the sensor too, and that is said of the link
     let is_there = |link: &Option<&str>| link.is_none_or(|link| known.contains(&last(link)));
     let sensors = sensors.iter().filter(|(link, _)| is_there(link));
-    let frames: Vec<AttrValue> = sensors
-        .flat_map(|(_, sensor)| frames(&cx.expansion.tree, *sensor))
+    let root = cx.expansion.files.first().map(|file| &*file.source.path);
+    let version = root.and_then(|root| cx.world.packages.generation(root));
+    let frames: Vec<(AttrValue, bool)> = sensors
+        .flat_map(|(_, sensor)| frames(&cx.expansion.tree, *sensor, version))
         .collect();
     let elsewhere = OnceCell::new();
     let mut suggestions = Suggestions::default();
-    for text in frames.iter().filter(|text| text.is_known()) {
+    for (text, is_of_points) in frames.iter().filter(|(text, _)| text.is_known()) {
         let name = last(&text.value);
         if name.is_empty() || is_surroundings(&name) || known.contains(&name) {
             continue;
@@ -66,10 +82,11 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         let elsewhere = elsewhere.get_or_init(|| links_elsewhere(cx));
         let is_elsewhere = elsewhere.iter().any(|end| name.ends_with(end));
         let message = format!("frame `{name}` of a sensor is not a link of the robot");
-        let report = out.report(text.origin, message).severity(if is_elsewhere {
-            Severity::Info
-        } else {
+        let is_needed = *is_of_points && !is_elsewhere;
+        let report = out.report(text.origin, message).severity(if is_needed {
             RULE.severity
+        } else {
+            Severity::Info
         });
         match suggestions.nearest(&name, links.iter().copied()) {
             Some(near) if text.is_literal() && text.value == name => report
@@ -97,20 +114,28 @@ fn sensors<'a>(cx: &RobotCx<'a>) -> Vec<(Option<&'a str>, XId)> {
         .collect()
 }
 
-/// The frames that a sensor and its plugins name, in document order.
-fn frames(tree: &XTree, sensor: XId) -> Vec<AttrValue> {
+/// The frames that a sensor and its plugins name, in document order, each with whether the data are points.
+fn frames(tree: &XTree, sensor: XId, version: Option<RosVersion>) -> Vec<(AttrValue, bool)> {
+    let is_read = |name: &str| match name {
+        IN_ROS2 => version != Some(RosVersion::Ros1),
+        IN_ROS1 => version != Some(RosVersion::Ros2),
+        _ => false,
+    };
+    let kind = tree.attr(sensor, "type");
+    let is_of_points = kind.is_some_and(|kind| OF_POINTS.contains(&kind.value.as_str()));
     let mut found = Vec::new();
     for part in tree.elements(sensor) {
         let name = tree.get(part).text.as_str();
         if OF_SENSORS.contains(&name) {
             found.extend(AttrValue::content(tree, part));
         } else if name == "plugin" && !is_in_the_world(tree, part) {
-            let parts = tree.elements(part);
-            let own = parts.filter(|&id| OF_PLUGINS.contains(&tree.get(id).text.as_str()));
+            let own = tree
+                .elements(part)
+                .filter(|&id| is_read(&tree.get(id).text));
             found.extend(own.filter_map(|id| AttrValue::content(tree, id)));
         }
     }
-    found
+    found.into_iter().map(|text| (text, is_of_points)).collect()
 }
 
 /// What the names of links end with that the files write, also where other arguments are needed for them.

@@ -5,7 +5,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::super::vocabulary::SDF_SURFACE;
 use expand::{XId, XKind, XTree};
-use model::{AttrValue, Link, tag_start};
+use model::{AttrValue, JointType, Link, tag_start};
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "CTL035",
@@ -65,8 +65,10 @@ fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
         let settings = settings(tree, surface);
         let severity = if settings.is_empty() || has_own(cx, link) {
             Severity::Hint
-        } else {
+        } else if slides(&settings) && !turns(cx, link) {
             RULE.severity
+        } else {
+            Severity::Info
         };
         let message = format!(
             "`surface` in the collision of link `{}` has no effect",
@@ -78,6 +80,20 @@ fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
             .help(help(link, &settings))
             .done();
     }
+}
+
+/// Whether a surface has less friction than others. Of two bodies that touch each other, Gazebo takes the smaller friction, so more
+/// of it needs to be said of both.
+fn slides(settings: &[(&str, String)]) -> bool {
+    let is_less = |text: &str| text.trim().parse::<f64>().is_ok_and(|number| number < 1.0);
+    let mut all = settings.iter();
+    all.any(|(name, text)| ["mu", "mu1", "mu2"].contains(name) && is_less(text))
+}
+
+/// Whether a joint turns a link without end: a wheel that slides is hardly meant.
+fn turns(cx: &DocumentCx<'_>, link: &Link) -> bool {
+    let joint = cx.joint_above(link.shown());
+    joint.is_some_and(|joint| joint.is(&[JointType::Continuous]))
 }
 
 /// The names and texts of a surface that are not what a simulator takes anyway.

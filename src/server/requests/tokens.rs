@@ -1,8 +1,9 @@
 //! Semantic tokens, all, changed or of a range.
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use lsp_types::{
-    SemanticToken, SemanticTokenModifier, SemanticTokenType, SemanticTokens, SemanticTokensDelta,
+    SemanticToken, SemanticTokenModifier, SemanticTokens, SemanticTokensDelta,
     SemanticTokensDeltaParams, SemanticTokensEdit, SemanticTokensFullDeltaResult,
     SemanticTokensFullOptions, SemanticTokensLegend, SemanticTokensOptions, SemanticTokensParams,
     SemanticTokensRangeParams, SemanticTokensRangeResult, SemanticTokensResult,
@@ -10,29 +11,12 @@ use lsp_types::{
 };
 
 use crate::convert;
+use crate::encoded_tokens::{EncodedPart, JoinedTokens, KINDS};
 use crate::failure::RequestFailure;
 use crate::requests::navigation::asked;
 use crate::state::ServerState;
-use base::{CancelFlag, Encoding, TextRange};
-use ide::{self, HighlightToken, TokenKind};
-
-/// The kinds in the order of their numbers.
-const KINDS: &[(TokenKind, SemanticTokenType)] = &[
-    (TokenKind::Macro, SemanticTokenType::MACRO),
-    (TokenKind::Parameter, SemanticTokenType::PARAMETER),
-    (TokenKind::Variable, SemanticTokenType::VARIABLE),
-    (TokenKind::Property, SemanticTokenType::PROPERTY),
-    (TokenKind::Keyword, SemanticTokenType::KEYWORD),
-    (TokenKind::Function, SemanticTokenType::FUNCTION),
-    (TokenKind::Number, SemanticTokenType::NUMBER),
-    (TokenKind::String, SemanticTokenType::STRING),
-    (TokenKind::Operator, SemanticTokenType::OPERATOR),
-    (TokenKind::EnumMember, SemanticTokenType::ENUM_MEMBER),
-    (TokenKind::Namespace, SemanticTokenType::NAMESPACE),
-    (TokenKind::Class, SemanticTokenType::CLASS),
-    (TokenKind::Event, SemanticTokenType::EVENT),
-    (TokenKind::Comment, SemanticTokenType::COMMENT),
-];
+use base::CancelFlag;
+use ide::{self, PartTokens};
 
 /// What the server offers.
 pub(crate) fn offered() -> SemanticTokensOptions {
@@ -95,23 +79,42 @@ pub fn tokens_range(
     let range = convert::text_range(&source.document, params.range, state.encoding);
     let asked = asked(state, &start_of(params.text_document), cancel)?;
     let tokens = ide::tokens(&asked.cx(), range);
-    let data = encoded(&asked.source.document.text(), &tokens, state.encoding);
+    let mut joined = JoinedTokens::default();
+    joined.add(&EncodedPart::of(
+        &asked.source.document.text(),
+        &tokens,
+        state.encoding,
+    ));
+    let data = joined.data;
     Ok(Some(SemanticTokensRangeResult::Tokens(SemanticTokens {
         result_id: None,
         data,
     })))
 }
 
+/// The tokens of a whole document. Those of parts that are the same as the last time are taken over.
 fn token_data(
     state: &mut ServerState,
     document: TextDocumentIdentifier,
     cancel: &CancelFlag,
 ) -> Result<(PathBuf, Vec<SemanticToken>), RequestFailure> {
     let asked = asked(state, &start_of(document), cancel)?;
-    let whole = TextRange::new(0, u32::MAX);
-    let tokens = ide::tokens(&asked.cx(), whole);
-    let data = encoded(&asked.source.document.text(), &tokens, state.encoding);
-    Ok((asked.source.path.to_path_buf(), data))
+    let path = asked.source.path.to_path_buf();
+    let sent = state.sent.tokens.entry(path.clone()).or_default();
+    let parts = sent.kept.renew(&asked.cx());
+    let mut before = std::mem::take(&mut sent.encoded);
+    let mut joined = JoinedTokens::default();
+    for PartTokens { item, tokens } in parts {
+        // without pieces, all are the same empty list
+        let address = (Arc::as_ptr(&item).addr(), tokens.as_ptr().addr());
+        let part = before.remove(&address).unwrap_or_else(|| {
+            let part = EncodedPart::of(item.text(), &tokens, state.encoding);
+            (item, tokens, Arc::new(part))
+        });
+        joined.add(&part.2);
+        sent.encoded.insert(address, part);
+    }
+    Ok((path, joined.data))
 }
 
 /// Keep what is sent; its name.
@@ -134,67 +137,6 @@ pub(crate) fn start_of(text_document: TextDocumentIdentifier) -> TextDocumentPos
         text_document,
         position: lsp_types::Position::default(),
     }
-}
-
-/// Pieces as the protocol has them: line by line, each relative to the one in front.
-fn encoded(text: &str, tokens: &[HighlightToken], encoding: Encoding) -> Vec<SemanticToken> {
-    let mut out = Vec::new();
-    let (mut line, mut line_start, mut next_line) = (0, 0, line_end(text, 0));
-    let (mut last_line, mut last_col) = (0, 0);
-    // a place on the line and its column: lines may be as long as the file
-    let mut known = (0, 0);
-    for token in tokens {
-        let kind = KINDS
-            .iter()
-            .position(|(kind, _)| *kind == token.kind)
-            .unwrap_or(0) as u32;
-        let mut start = token.range.start;
-        while start < token.range.end {
-            while let Some(next) = next_line.filter(|next| *next <= start) {
-                (line, line_start, next_line) = (line + 1, next, line_end(text, next));
-                known = (line_start, 0);
-            }
-            let end = next_line.unwrap_or(text.len() as u32).min(token.range.end);
-            let piece = TextRange::new(start, end)
-                .slice(text)
-                .trim_end_matches(['\r', '\n']);
-            let blank = (piece.len() - piece.trim_start().len()) as u32;
-            let words = piece.trim();
-            if !words.is_empty() {
-                let at = start + blank;
-                // tokens come in order
-                let from = if known.0 <= at {
-                    known
-                } else {
-                    (line_start, 0)
-                };
-                let col = from.1 + encoding.width(TextRange::new(from.0, at).slice(text));
-                known = (at, col);
-                out.push(SemanticToken {
-                    delta_line: line - last_line,
-                    delta_start: if line == last_line {
-                        col - last_col
-                    } else {
-                        col
-                    },
-                    length: encoding.width(words),
-                    token_type: kind,
-                    token_modifiers_bitset: token.modifiers.0,
-                });
-                (last_line, last_col) = (line, col);
-            }
-            start = end.max(start + 1);
-        }
-    }
-    out
-}
-
-/// The offset behind the end of the line that begins at `start`; none for the last line.
-fn line_end(text: &str, start: u32) -> Option<u32> {
-    let rest = text.get(start as usize..)?;
-    let end = base::line_end(rest);
-    let wide = rest.get(end..)?.starts_with("\r\n");
-    (end < rest.len()).then_some(start + end as u32 + 1 + u32::from(wide))
 }
 
 /// What changed, as one edit; in numbers, five a piece.
