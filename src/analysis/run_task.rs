@@ -19,7 +19,7 @@ use expand::{Expansion, FileUse, Forced, FrameKind, Origin, Read, Request, Sourc
 use model::Robot;
 use rules::consumers::{self, Tally};
 use rules::{
-    Activation, Chosen, Finding, RootKind, Rule, Selector, Settled, Suppressions, all,
+    Activation, Category, Chosen, Finding, RootKind, Rule, Selector, Settled, Suppressions, all,
     check_expansion, check_files, holds_for_semantic, include_tags, is_semantic, missing_packages,
     named,
 };
@@ -143,6 +143,7 @@ pub(super) fn run_rules(
         check_expansion(expansion, robot, (kind, explicit), around, chosen, before);
     findings.append(&mut check_files(expansion, around, chosen));
     say_once(&mut findings);
+    leave_out_consequences(&mut findings);
     if let Some(error) = &expansion.root_error {
         findings.extend(unreadable(session.vfs.file_id(&task.file), error));
     }
@@ -220,6 +221,24 @@ fn say_once(findings: &mut Vec<Finding>) {
         |own: Span, span: &Span| span.file == own.file && span.range.contains_range(own.range);
     findings.retain(|finding| {
         finding.rule != named::MISSING_DOLLAR || !whole.iter().any(|span| holds(finding.span, span))
+    });
+}
+
+/// What the content of an element is wrong for without the element is not said again where that is lost.
+fn leave_out_consequences(findings: &mut Vec<Finding>) {
+    let lost = findings
+        .iter()
+        .filter(|finding| finding.rule == named::DROPPED_ROOT_ELEMENT);
+    let lost: Vec<FileId> = lost.map(|finding| finding.span.file).collect();
+    if lost.is_empty() {
+        return;
+    }
+    let is_lost = |span: &Span| lost.contains(&span.file);
+    findings.retain(|finding| {
+        let is_about_elements =
+            [Category::Xml, Category::Structure, Category::Joint].contains(&finding.rule.category);
+        let mut places = finding.related.iter().map(|related| &related.span);
+        !is_about_elements || !(is_lost(&finding.span) || places.any(is_lost))
     });
 }
 

@@ -91,6 +91,8 @@ pub const MISSING_DOLLAR: &Rule = &xacro::missing_dollar::RULE;
 pub const INVALID_NUMBER: &Rule = &xml::invalid_number::RULE;
 /// `absolute-mesh-path`
 pub const ABSOLUTE_MESH_PATH: &Rule = &geometry::absolute_mesh_path::RULE;
+/// `dropped-root-element`
+pub const DROPPED_ROOT_ELEMENT: &Rule = &xacro::dropped_root_element::RULE;
 /// `plugin-unknown-frame`
 pub const PLUGIN_UNKNOWN_FRAME: &Rule = &control::plugin_unknown_frame::RULE;
 /// `plugin-file-not-found`

@@ -1,6 +1,7 @@
 //! The xacro language.
 
 mod constant_condition;
+pub(super) mod dropped_root_element;
 pub(super) mod duplicate_include;
 pub(super) mod found;
 pub(super) mod include_children_ignored;
@@ -79,4 +80,5 @@ pub(super) static RULES: &[&Rule] = &[
     &found::INVALID_MACRO_NAME,
     &found::INCONSISTENT_NAMESPACE_REDEFINITION,
     &missing_dollar::RULE,
+    &dropped_root_element::RULE,
 ];

@@ -163,6 +163,10 @@ fn unlike_all(name: &str, parent: &ElementSpec) -> (Severity, String) {
         let help = "write <origin xyz=\"...\" rpy=\"...\"/>; `pose` is SDF, and URDF parsers silently ignore it";
         return (Severity::Warning, help.to_owned());
     }
+    if name == "plugin" {
+        let help = "put it in `<gazebo>`, and one for a sensor in the `<sensor>` there; Gazebo reads no `plugin` elsewhere";
+        return (Severity::Warning, help.to_owned());
+    }
     if matches!(name, "link" | "joint") && parent.name != "robot" {
         let help = format!(
             "move it out of `{}`, to be a child of `robot`; parsers silently ignore it here",
