@@ -80,6 +80,14 @@ impl Suggestions {
 /// The small letters of a word; false when there are too many of them.
 fn fold(word: &str, letters: &mut Vec<char>) -> bool {
     letters.clear();
+    if word.is_ascii() {
+        // nearly all names are
+        let small = word
+            .bytes()
+            .map(|byte| char::from(byte.to_ascii_lowercase()));
+        letters.extend(small.take(LONGEST + 1));
+        return letters.len() <= LONGEST;
+    }
     letters.extend(word.chars().flat_map(char::to_lowercase).take(LONGEST + 1));
     letters.len() <= LONGEST
 }

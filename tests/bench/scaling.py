@@ -29,6 +29,7 @@ KINDS = {
     # links and joints
     'links without joints': '<link name="l{i}"/>',
     'links that are missing': '<joint name="j{i}" type="fixed"><parent link="p{i}"/><child link="c{i}"/></joint>',
+    'links with other names': '<link name="l{i}q"/><joint name="j{i}" type="fixed"><parent link="l{p}q"/><child link="l{i}"/></joint>',
     'one link twice': '<link name="a"/>',
     'one joint twice': '<joint name="j" type="fixed"><parent link="a"/><child link="a"/></joint>',
     'several parents': '<joint name="j{i}" type="fixed"><parent link="p{i}"/><child link="a"/></joint><link name="p{i}"/>',
@@ -62,6 +63,10 @@ KINDS = {
     'meshes that are missing': '<link name="l{i}"><visual name="v"><geometry><mesh filename="package://p{i}/a.stl"/></geometry>'
                                  '</visual><collision><geometry><mesh filename="x{i}.stl" scale="1000 1 1"/></geometry></collision></link>',
     # control and Gazebo
+    'frames that are missing': LINK + '<gazebo reference="l{i}"><sensor name="s{i}" type="ray"><plugin filename="libx.so">'
+                               '<frame_name>f{i}</frame_name></plugin></sensor></gazebo>',
+    'surfaces': '<link name="l{i}"><collision><geometry><sphere radius="1"/></geometry><surface><friction><ode><mu>0</mu></ode>'
+                '</friction></surface></collision></link>',
     'sensors on links': LINK + '<gazebo reference="l{i}"><sensor name="s{i}" type="ray"><ray/></sensor></gazebo>',
     'sensors on fixed links': '<link name="l{i}"/><joint name="j{i}" type="fixed"><parent link="a"/><child link="l{i}"/></joint>'
                               '<gazebo reference="l{i}"><sensor name="s{i}" type="ray"><ray/></sensor></gazebo>',

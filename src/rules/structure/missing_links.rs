@@ -45,6 +45,7 @@ pub(super) struct LinkUse {
 pub(super) fn missing_links(cx: &RobotCx<'_>) -> Vec<MissingLink> {
     let mut missing: IndexMap<EcoString, LinkUses> = IndexMap::new();
     let almost = OnceCell::new();
+    let doubtful = OnceCell::new();
     let joints = cx.robot.joints.iter().enumerate();
     let incomplete = joints.filter(|(number, _)| cx.kinematics.ends(*number).is_none());
     for (_, joint) in incomplete {
@@ -58,7 +59,7 @@ pub(super) fn missing_links(cx: &RobotCx<'_>) -> Vec<MissingLink> {
             };
             if almost.get_or_init(|| almost_links(cx)).contains(name)
                 || text.is_doubtful()
-                || may_be_there(cx, name)
+                || may_be_there(doubtful.get_or_init(|| doubtful_links(cx)), name)
             {
                 continue;
             }
@@ -93,12 +94,15 @@ pub(super) fn missing_links(cx: &RobotCx<'_>) -> Vec<MissingLink> {
         .collect()
 }
 
-/// Whether a link whose name could not be computed may have this name.
-fn may_be_there(cx: &RobotCx<'_>, name: &str) -> bool {
+/// The names of links that could not be computed.
+fn doubtful_links<'a>(cx: &RobotCx<'a>) -> Vec<&'a AttrValue> {
     let names = cx.robot.links.iter().filter_map(|link| link.name.as_ref());
-    names
-        .filter(|text| text.is_doubtful())
-        .any(|text| text.may_be(name))
+    names.filter(|text| text.is_doubtful()).collect()
+}
+
+/// Whether a link whose name could not be computed may have this name.
+fn may_be_there(doubtful: &[&AttrValue], name: &str) -> bool {
+    doubtful.iter().any(|text| text.may_be(name))
 }
 
 /// The names of links that are there but for something else that is reported: a tag that is misspelled, spaces in the name.
