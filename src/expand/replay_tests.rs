@@ -5,8 +5,10 @@
     clippy::disallowed_methods,
     clippy::print_stdout
 )] // a test may fail loudly
+use std::time::Duration;
+
 use super::{Expansion, Request, Sources, expand_again};
-use base::TextRange;
+use base::{ExpansionLimits, TextRange};
 use packages::{PackageOptions, Packages};
 use vfs::Environment;
 use vfs::testing::Tree;
@@ -181,8 +183,15 @@ impl Session {
             env: &self.env,
         };
         let file = self.tree.path(FILES[0].0).display().to_string();
+        // how far an expansion gets in a time is another thing each time
+        let limits = ExpansionLimits {
+            expand_time: Duration::from_secs(3600),
+            expand_nodes: 20_000,
+            ..ExpansionLimits::default()
+        };
         let request = Request {
             file,
+            limits,
             probe: true,
             keep: true,
             ros_shell: true,

@@ -30,11 +30,11 @@ if [ ! -d "$sysroot/lib/rustlib/$target" ]; then
         for package in "$tools"/debs/*.deb; do dpkg -x "$package" "$tools/root"; done
         rm -r "$tools/debs"
     fi
-    # not a link: the compiler finds its library by the folder that it lies in
-    printf '#!/bin/sh\nLD_LIBRARY_PATH=%s exec %s "$@"\n' "$usr/lib/${host%%-*}-linux-gnu" "$usr/bin/rustc" >"$tools/rustc.new"
-    chmod +x "$tools/rustc.new"
+    # not a link: the compiler finds its library by the folder that it lies in; builds beside this do the same
+    printf '#!/bin/sh\nLD_LIBRARY_PATH=%s exec %s "$@"\n' "$usr/lib/${host%%-*}-linux-gnu" "$usr/bin/rustc" >"$tools/rustc.$$"
+    chmod +x "$tools/rustc.$$"
     # cargo builds everything again when the compiler was written
-    if cmp -s "$tools/rustc.new" "$tools/rustc"; then rm "$tools/rustc.new"; else mv "$tools/rustc.new" "$tools/rustc"; fi
+    if cmp -s "$tools/rustc.$$" "$tools/rustc"; then rm "$tools/rustc.$$"; else mv "$tools/rustc.$$" "$tools/rustc"; fi
     # its standard library comes as source
     export RUSTC_BOOTSTRAP=1 RUSTC="$tools/rustc"
     export CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER="$sysroot/lib/rustlib/$host/bin/rust-lld"
