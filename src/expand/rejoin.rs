@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::checkpoint::{Checkpoint, ResumeState};
 use super::expander::Expander;
 use super::expansion::{Expansion, FileUse};
+use super::flow::Gaps;
 use super::journal::Change;
 use super::memo::StepResult;
 use super::origin::SrcId;
@@ -242,7 +243,11 @@ impl Expander<'_> {
             .extend_from_slice(part(&resume.probed, from.macros..to.macros));
         self.guards.budget.steps -= to.spent.0 - from.spent.0;
         self.guards.budget.bytes -= to.spent.1 - from.spent.1;
-        self.gaps.losses += end.state.gaps.losses - then.state.gaps.losses;
+        // what was missing here is the same as then
+        self.gaps = Gaps {
+            losses: self.gaps.losses + end.state.gaps.losses - then.state.gaps.losses,
+            ..end.state.gaps
+        };
         self.add_names(before, resume, (then, end));
         self.add_elements(before, now, (then, end), siblings);
     }

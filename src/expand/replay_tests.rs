@@ -313,6 +313,27 @@ fn blank_text_of_a_file_without_elements_is_kept() {
 }
 
 #[test]
+fn what_is_missing_behind_an_edit_is_missing_still() {
+    let mut session = Session::new();
+    session.change(
+        "name=\"counted\" value=\"${n}\"",
+        "name=\"counted\" value=\"${-\"",
+    );
+    session.expand();
+    assert!(
+        !session.last.as_ref().unwrap().whole,
+        "a condition is unknown"
+    );
+    // the items behind are left out
+    session.change(
+        "<origin xyz=\"0 0 1\"/></xacro:seg>",
+        "<origin xyz=\"0 0 4\"/></xacro:seg>",
+    );
+    session.expand();
+    assert!(!session.last.as_ref().unwrap().whole);
+}
+
+#[test]
 fn an_expansion_after_random_edits_is_one_from_scratch() {
     let edits = std::env::var("XACRO_EDITS")
         .ok()
