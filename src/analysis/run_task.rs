@@ -150,25 +150,14 @@ pub(super) fn run_rules(
     if rules.contains(&named::DESCRIPTION_READ_AS_YAML) {
         findings.extend(read_as_yaml(session, &task.file, expansion));
     }
-    findings.extend(nameless(
-        session,
-        &CheckedExpansion {
-            task: &task,
-            kind,
-            expansion,
-            robot,
-        },
-    ));
-    settle_by_role(
-        session,
-        &CheckedExpansion {
-            task: &task,
-            kind,
-            expansion,
-            robot,
-        },
-        &mut findings,
-    );
+    let checked = CheckedExpansion {
+        task: &task,
+        kind,
+        expansion,
+        robot,
+    };
+    findings.extend(nameless(session, &checked));
+    settle_by_role(session, &checked, &mut findings);
     settle_set_aside(session, &task, (expansion, robot), &mut findings);
     let is_meant = is_meant_as_robot(expansion, kind);
     RootResult {

@@ -33,13 +33,12 @@ const IN_ROS2: &str = "frame_name";
 const IN_ROS1: &str = "frameName";
 
 /// Types of sensors whose data are points: programs need their frame. What reads images or the values of an IMU often does not.
-const OF_POINTS: [&str; 9] = [
+const OF_POINTS: [&str; 8] = [
     "depth",
     "depth_camera",
     "gpu_lidar",
     "gpu_ray",
     "lidar",
-    "multicamera",
     "ray",
     "rgbd",
     "rgbd_camera",

@@ -25,19 +25,19 @@ const MOST_ELEMENTS: usize = 100;
 /// What a surface has in a simulator of which nothing is said: 1 and 0 are friction and slip, the others are of contacts.
 ///
 /// Source: the specification of SDFormat 1.11, `surface`.
-const DEFAULTS: &[(&str, &[&str])] = &[
-    ("mu", &["1"]),
-    ("mu1", &["1"]),
-    ("mu2", &["1"]),
-    ("friction", &["1"]),
-    ("friction2", &["1"]),
-    ("rolling_friction", &["1"]),
-    ("coefficient", &["1"]),
-    ("kd", &["1"]),
-    ("kp", &["1e12", "1000000000000"]),
-    ("soft_erp", &["0.2"]),
-    ("max_vel", &["0.01"]),
-    ("threshold", &["100000"]),
+const DEFAULTS: &[(&str, f64)] = &[
+    ("mu", 1.0),
+    ("mu1", 1.0),
+    ("mu2", 1.0),
+    ("friction", 1.0),
+    ("friction2", 1.0),
+    ("rolling_friction", 1.0),
+    ("coefficient", 1.0),
+    ("kd", 1.0),
+    ("kp", 1e12),
+    ("soft_erp", 0.2),
+    ("max_vel", 0.01),
+    ("threshold", 100_000.0),
 ];
 
 /// What `<gazebo>` calls it that a surface calls otherwise.
@@ -122,7 +122,7 @@ fn is_default(name: &str, text: &str) -> bool {
     let defaults = DEFAULTS.iter().find(|(known, _)| *known == name);
     let number = |text: &str| text.trim().parse::<f64>().ok();
     match defaults {
-        Some((_, values)) => values.iter().any(|value| number(value) == number(text)),
+        Some((_, value)) => number(text) == Some(*value),
         None => {
             matches!(text.trim(), "false" | "world")
                 || text
