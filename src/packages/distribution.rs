@@ -29,14 +29,22 @@ impl Packages {
         self.is_before("humble", file)
     }
 
+    /// Whether the package around a file is for Jazzy or a later distribution, too.
+    pub fn is_since_jazzy(&self, file: &Path) -> bool {
+        self.distribution_of(file) >= place("jazzy")
+    }
+
     fn is_before(&self, distribution: &str, file: &Path) -> bool {
-        let place = |name: &str| DISTRIBUTIONS.iter().position(|one| *one == name);
+        let newest = self.distribution_of(file);
+        newest.is_some() && newest < place(distribution)
+    }
+
+    /// The place of the newest distribution that a package is for; none when nothing says one.
+    fn distribution_of(&self, file: &Path) -> Option<usize> {
         if let Some(own) = self.env.var("ROS_DISTRO").filter(|name| !name.is_empty()) {
-            return place(own).is_some_and(|own| Some(own) < place(distribution));
+            return place(own);
         }
-        let Some(package) = self.containing(file) else {
-            return false;
-        };
+        let package = self.containing(file)?;
         // what it is run in says more than pages, which also tell of plans
         let is_container = |path: &PathBuf| name_of(path).starts_with(CONTAINER);
         let all = |_: &PathBuf| true;
@@ -44,8 +52,7 @@ impl Packages {
         let top = self.sources_around(file);
         let in_container = || self.newest_named(top.as_ref()?, is_container);
         let of_repository = || self.newest_named(top.as_ref()?, all);
-        let newest = in_container().or_else(of_package).or_else(of_repository);
-        newest.is_some_and(|newest| Some(newest) < place(distribution))
+        in_container().or_else(of_package).or_else(of_repository)
     }
 
     /// The newest distribution that the pages below a folder that count name, by its place; none when they name no distribution.
@@ -83,6 +90,10 @@ impl Packages {
             .filter(|path| self.vfs.size(path).is_some_and(|size| size <= CALLER_BYTES))
             .collect()
     }
+}
+
+fn place(distribution: &str) -> Option<usize> {
+    DISTRIBUTIONS.iter().position(|one| *one == distribution)
 }
 
 fn name_of(path: &Path) -> &str {

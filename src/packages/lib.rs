@@ -24,7 +24,7 @@ mod tests;
 
 pub use cache::AnswerCache;
 pub use container::workspace_of;
-pub use install::{BUILD_FILES, Build, Built};
+pub use install::{BUILD_FILES, Build, Built, RequiredSource};
 pub use manifest::MANIFEST;
 pub use package_sources::PackageSource;
 pub use packages::{

@@ -6,8 +6,9 @@
 
 CHECKOUTS holds one folder per repository, and is not named `src`. The sample is stratified: of each rule at most 12 errors and 8 warnings, of
 these at most 3 (2) from one repository; where that gives too few, further findings are taken rule by rule. The same
-seed and the same findings give the same sheet. Missing meshes and textures that `.not-there` of a checkout lists (files
-that the copy lacks) are left out. Verdicts: true, noise (right and of no interest), false, doubtful.
+seed and the same findings give the same sheet. Missing meshes, textures and installed files that `.not-there` of a checkout lists (files
+that the copy lacks) are left out: of a
+group, the first one that is no such file is shown. Verdicts: true, noise (right and of no interest), false, doubtful.
 """
 import argparse
 import collections
@@ -30,6 +31,7 @@ FILE = re.compile(r'[^/\s`"\']+\.[A-Za-z]\w{1,4}(?=[`"\'\s:,;)]|$)')
 # what is said of the call in which a file is missing, and libraries in it, are no files of the robot
 CALL, LIBRARY = 'in this call', '.so'
 FILE_RULES = ('mesh-not-found', 'texture-not-found')
+INSTALL_RULE = 'installed-file-not-found'
 VARIABLES = ('ROS', 'AMENT', 'CMAKE_PREFIX', 'COLCON')
 
 # the folder of a workspace that holds its packages: of one repository, those of all others would be found there
@@ -47,22 +49,31 @@ def check(command, checkout):
     return json.loads(run.stdout)
 
 
-def left_out(finding, absent):
-    """Whether the finding is about files that only the copy of the repository lacks; all of them, if it is a group."""
-    if finding['name'] not in FILE_RULES:
+def is_lacking(rule, place, absent):
+    """Whether a place is about a file, or the files of a folder, that only the copy of the repository lacks."""
+    message = place.get('message', '')
+    if rule == INSTALL_RULE:
+        path = os.path.normpath(os.path.join(os.path.dirname(place['filename']), message.split('`')[1]))
+        return any(file == path or file.startswith(path + '/') for file in absent)
+    if rule not in FILE_RULES:
         return False
-    said = [finding['message'], *(place.get('message', '') for place in finding.get('related') or ())]
-    named = [{name for name in FILE.findall(text) if not name.endswith(LIBRARY)} for text in said if not text.startswith(CALL)]
-    named = [names for names in named if names]
-    return bool(named) and all(names & absent for names in named)
+    named = [name for name in FILE.findall(message) if not name.endswith(LIBRARY)]
+    return any(pathlib.PurePosixPath(file).name in named for file in absent)
 
 
 def collect(repository, findings, absent=()):
     """Errors and warnings of a repository, without those about files that only the copy lacks."""
-    names = {pathlib.PurePosixPath(path).name for path in absent if path}
-    return [Finding(repository, '%s:%d:%d' % (f['filename'], f['location']['row'], f['location']['column']),
-                    f['name'], f['severity'], f['message'])
-            for f in findings if f['severity'] in PER_RULE and not left_out(f, names)]
+    absent = [path for path in absent if path]
+    found = []
+    for finding in findings:
+        others = [place for place in finding.get('related') or () if not place['message'].startswith(CALL)]
+        related = [place for place in others if finding['name'] == INSTALL_RULE or FILE.search(place['message'])]
+        there = [place for place in (finding, *related) if not is_lacking(finding['name'], place, absent)]
+        if finding['severity'] in PER_RULE and there:
+            place = there[0]
+            found.append(Finding(repository, '%s:%d:%d' % (place['filename'], place['location']['row'], place['location']['column']),
+                                 finding['name'], finding['severity'], place['message']))
+    return found
 
 
 def draw(findings, severity, wanted, seed):

@@ -51,13 +51,17 @@ class Drawing(unittest.TestCase):
         self.assertEqual(sample.collect('o/r', [missing], ['p/meshes/arm.stl', '']), [])
         self.assertEqual(len(sample.collect('o/r', [missing], ['p/meshes/leg.stl'])), 1)
         self.assertEqual(len(sample.collect('o/r', [missing], ['p/meshes/rm.stl', 'forearm.stl'])), 1)
-        group = {**missing, 'related': [{'message': '`package://p/meshes/leg.stl`'}]}
-        self.assertEqual(len(sample.collect('o/r', [group], ['p/meshes/arm.stl'])), 1)
+        leg = {**missing, 'message': '`package://p/meshes/leg.stl`', 'location': {'row': 7, 'column': 1}}
+        group = {**missing, 'related': [leg]}
+        self.assertEqual([f.place for f in sample.collect('o/r', [group], ['p/meshes/arm.stl'])], ['urdf/robot.xacro:7:1'])
         self.assertEqual(sample.collect('o/r', [group], ['p/meshes/arm.stl', 'p/meshes/leg.stl']), [])
         call = {**missing, 'related': [{'message': 'in this call: eye:=libeye.so body:=leg.stl'}]}
         self.assertEqual(sample.collect('o/r', [call], ['p/meshes/arm.stl']), [])
         library = finding('mesh-not-found', message='mesh `libarm.so` is not found')
         self.assertEqual(len(sample.collect('o/r', [library], ['p/libarm.so'])), 1)
+        folder = finding('installed-file-not-found', message='folder `meshes/` to install does not exist', filename='CMakeLists.txt')
+        self.assertEqual(sample.collect('o/r', [folder], ['meshes/arm.stl']), [])
+        self.assertEqual(len(sample.collect('o/r', [folder], ['meshes2/arm.stl'])), 1)
         other = finding('include-not-found', message='arm.stl is not found')
         self.assertEqual(len(sample.collect('o/r', [other], ['p/meshes/arm.stl'])), 1)
 

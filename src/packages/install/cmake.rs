@@ -4,6 +4,7 @@
 use std::path::{Path, PathBuf};
 
 use super::commands::{CMakeArgument, CMakeCommand, commands};
+use super::required;
 use super::{Build, InstallSource, stem, tidy};
 use base::FastMap;
 use base::limits::{BUILD_BYTES, BUILD_DEPTH, GLOB_ENTRIES};
@@ -16,7 +17,7 @@ pub(super) const CMAKE_LISTS: &str = "CMakeLists.txt";
 const BUILD_TREE: &str = "\0build";
 
 /// Words that end a list of files in `install` and `file(COPY)`.
-const KEYWORDS: [&str; 18] = [
+pub(super) const KEYWORDS: [&str; 18] = [
     "DESTINATION",
     "TYPE",
     "PATTERN",
@@ -43,6 +44,8 @@ pub(super) fn read(vfs: &Vfs, folder: &Path, build: &mut Build) {
     let mut reader = CMakeReader {
         vfs,
         build,
+        top: folder,
+        conditions: 0,
         variables: FastMap::default(),
         left,
         entries,
@@ -81,9 +84,13 @@ pub(super) fn project(text: &str) -> Option<String> {
 /// An argument with its variables replaced; none when one of them is not known.
 type CMakeWord = Option<String>;
 
-struct CMakeReader<'a> {
+pub(super) struct CMakeReader<'a> {
     vfs: &'a Vfs,
-    build: &'a mut Build,
+    pub(super) build: &'a mut Build,
+    /// The folder of the package.
+    pub(super) top: &'a Path,
+    /// How many conditions are around the command.
+    pub(super) conditions: u32,
     variables: FastMap<String, String>,
     /// How much more is read, in bytes of arguments.
     left: u32,
@@ -93,8 +100,10 @@ struct CMakeReader<'a> {
 
 /// The file that is read.
 #[derive(Clone, Copy)]
-struct CMakeFile<'a> {
-    folder: &'a Path,
+pub(super) struct CMakeFile<'a> {
+    pub(super) path: &'a Path,
+    /// The folder that its paths start from.
+    pub(super) folder: &'a Path,
     depth: u32,
 }
 
@@ -112,7 +121,7 @@ impl CMakeReader<'_> {
         self.set("CMAKE_CURRENT_SOURCE_DIR", text(folder));
         self.set("CMAKE_CURRENT_LIST_DIR", text(folder));
         self.set("CMAKE_CURRENT_BINARY_DIR", text(&build_folder(folder)));
-        self.file(&folder.join(CMAKE_LISTS), CMakeFile { folder, depth });
+        self.file(&folder.join(CMAKE_LISTS), folder, depth);
         if let (Some(source), Some(build)) = outer {
             self.set("CMAKE_CURRENT_LIST_DIR", source.clone());
             self.set("CMAKE_CURRENT_SOURCE_DIR", source);
@@ -133,12 +142,17 @@ impl CMakeReader<'_> {
         self.variables.get("CMAKE_CURRENT_BINARY_DIR").cloned()
     }
 
-    fn file(&mut self, path: &Path, here: CMakeFile<'_>) {
-        if here.depth > BUILD_DEPTH || self.build.files.len() > BUILD_DEPTH as usize * 10 {
+    fn file(&mut self, path: &Path, folder: &Path, depth: u32) {
+        if depth > BUILD_DEPTH || self.build.files.len() > BUILD_DEPTH as usize * 10 {
             return;
         }
         self.build.files.push(path.to_owned());
         if let Ok(file) = self.vfs.text(path) {
+            let here = CMakeFile {
+                path,
+                folder,
+                depth,
+            };
             self.run(&commands(&file.text), here);
         }
     }
@@ -203,8 +217,11 @@ impl CMakeReader<'_> {
             return;
         }
         self.names(command);
+        required::note(self, command, here);
         let words = self.words(&command.arguments);
         match command.name.as_str() {
+            "if" => self.conditions += 1,
+            "endif" => self.conditions = self.conditions.saturating_sub(1),
             "project" => self.project(&words),
             "set" => self.assign(&words),
             "list" => self.append(&words),
@@ -230,13 +247,7 @@ impl CMakeReader<'_> {
                     .filter(|w| matches!(w, Some(w) if w.ends_with(".cmake")))
                 {
                     let path = tidy(&here.folder.join(file));
-                    self.file(
-                        &path,
-                        CMakeFile {
-                            depth: here.depth + 1,
-                            ..here
-                        },
-                    );
+                    self.file(&path, here.folder, here.depth + 1);
                 }
             }
             // what it installs is written elsewhere
@@ -468,7 +479,7 @@ impl CMakeReader<'_> {
     }
 
     /// The text with its variables replaced, the innermost first.
-    fn replaced(&self, text: &str) -> CMakeWord {
+    pub(super) fn replaced(&self, text: &str) -> CMakeWord {
         let mut text = text.to_owned();
         while let Some(start) = text.rfind("${") {
             let end = start + text.get(start..)?.find('}')?;
@@ -518,7 +529,7 @@ fn build_folder(source: &Path) -> PathBuf {
 }
 
 /// A path of the sources or of the folder of the build.
-fn in_tree(folder: &Path, path: &str) -> PathBuf {
+pub(super) fn in_tree(folder: &Path, path: &str) -> PathBuf {
     let path = Path::new(path);
     tidy(&if path.starts_with(BUILD_TREE) {
         path.to_owned()

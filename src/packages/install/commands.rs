@@ -1,5 +1,7 @@
 //! The commands in a `CMakeLists.txt`, by their text alone.
 
+use base::TextRange;
+
 /// A command: its name in small letters, and its arguments.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct CMakeCommand {
@@ -13,11 +15,13 @@ pub(super) struct CMakeArgument {
     pub(super) text: String,
     /// Whether it is one argument whatever its value: in quotes or brackets.
     pub(super) is_quoted: bool,
+    /// Where it stands in the file, with its quotes or brackets.
+    pub(super) range: TextRange,
 }
 
 /// The commands of a file in order. What is no command is passed over.
 pub(super) fn commands(text: &str) -> Vec<CMakeCommand> {
-    let mut reader = CommandReader { rest: text };
+    let mut reader = CommandReader { text, rest: text };
     let mut found = Vec::new();
     while !reader.rest.is_empty() {
         reader.skip_blanks();
@@ -40,6 +44,7 @@ pub(super) fn commands(text: &str) -> Vec<CMakeCommand> {
 }
 
 struct CommandReader<'t> {
+    text: &'t str,
     rest: &'t str,
 }
 
@@ -89,26 +94,32 @@ impl<'t> CommandReader<'t> {
                     depth = if next == '(' { depth + 1 } else { depth - 1 };
                     self.skip_char();
                 }
-                '"' => found.push(CMakeArgument {
-                    text: self.quoted(),
-                    is_quoted: true,
-                }),
-                '[' => match self.bracket() {
-                    Some(text) => found.push(CMakeArgument {
-                        text,
-                        is_quoted: true,
-                    }),
-                    None => found.push(CMakeArgument {
-                        text: self.plain(),
-                        is_quoted: false,
-                    }),
-                },
-                _ => found.push(CMakeArgument {
-                    text: self.plain(),
-                    is_quoted: false,
-                }),
+                _ => found.push(self.argument(next)),
             }
         }
+    }
+
+    /// The argument that begins with `first`.
+    fn argument(&mut self, first: char) -> CMakeArgument {
+        let start = self.at();
+        let (text, is_quoted) = match first {
+            '"' => (self.quoted(), true),
+            '[' => match self.bracket() {
+                Some(text) => (text, true),
+                None => (self.plain(), false),
+            },
+            _ => (self.plain(), false),
+        };
+        CMakeArgument {
+            text,
+            is_quoted,
+            range: TextRange::new(start, self.at()),
+        }
+    }
+
+    /// How much of the file is read.
+    fn at(&self) -> u32 {
+        (self.text.len() - self.rest.len()) as u32
     }
 
     fn quoted(&mut self) -> String {

@@ -3,6 +3,7 @@
 
 mod cmake;
 mod commands;
+mod required;
 mod setup_py;
 
 use std::borrow::Cow;
@@ -10,6 +11,7 @@ use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
 use self::cmake::CMAKE_LISTS;
+pub use self::required::RequiredSource;
 use self::setup_py::SETUP_PY;
 use super::manifest::{MANIFEST, is_package_name, name_in};
 use super::packages::Packages;
@@ -45,6 +47,12 @@ pub struct Build {
     pub is_opaque: bool,
     /// The stems of the files that it names outside of rules of installation: it may download or generate them.
     pub(crate) named: FastSet<String>,
+    /// Whether it is one of `ament_cmake`, which installs a package whenever it builds it.
+    pub is_ament: bool,
+    /// What must be there of the sources.
+    required: Vec<RequiredSource>,
+    /// Paths that commands name which may make files.
+    made: FastSet<PathBuf>,
     /// Places of the installed package (`share/...`), of the folder of the build and of the sources, each with what
     /// is put there.
     rules: Vec<(PathBuf, InstallSource)>,
@@ -181,6 +189,17 @@ impl Build {
     fn installs(&self, package: &str) -> bool {
         let share = Path::new("share").join(package);
         self.rules.iter().any(|(to, _)| to.starts_with(&share))
+    }
+
+    /// What its rules need and the sources do not have: the installation stops there. Without what the build itself may make.
+    pub fn missing<'b>(&'b self, vfs: &'b Vfs) -> impl Iterator<Item = &'b RequiredSource> {
+        let is_made = |path: &Path| {
+            let name = path.file_name().unwrap_or_default().to_string_lossy();
+            self.made.iter().any(|made| made.starts_with(path))
+                || stem(&name).is_some_and(|stem| self.named.contains(&stem))
+        };
+        let required = self.required.iter();
+        required.filter(move |source| !vfs.exists(&source.path) && !is_made(&source.path))
     }
 
     /// Whether anything is installed at, above or below a folder of a package.

@@ -300,3 +300,101 @@ fn the_build_type_decides_which_build_file_counts() {
     assert_eq!(build("ament_python"), flat);
     assert_eq!(build("ament_cmake"), Default::default());
 }
+
+/// What a build file of package `demo` installs and its sources do not have, in order.
+fn missing(build_file: &str) -> String {
+    let tree = Tree::new();
+    for (name, text) in [
+        ("package.xml", "<package><name>demo</name></package>"),
+        ("urdf/r.urdf", ""),
+        (
+            "tools/CMakeLists.txt",
+            "install(FILES a.py DESTINATION lib/demo)",
+        ),
+        ("CMakeLists.txt", build_file),
+    ] {
+        tree.write(&format!("ws/src/demo/{name}"), text);
+    }
+    let options = PackageOptions::default();
+    let packages = Packages::new(tree.vfs().clone(), &tree.environment(&[]), options);
+    let build = packages.build_around(&tree.path("ws/src/demo/package.xml"));
+    let build = build.unwrap_or_default();
+    let shown = build.missing(tree.vfs()).map(|source| {
+        let file = tree.vfs().text(&source.file);
+        let text = file.map(|file| file.text.to_string()).unwrap_or_default();
+        let kind = if source.is_folder { "/" } else { "" };
+        format!("{}{kind} at {}", source.shown, source.range.slice(&text))
+    });
+    shown.collect::<Vec<_>>().join(", ")
+}
+
+#[test]
+fn what_is_installed_and_not_there() {
+    let table = [
+        (
+            "install(DIRECTORY urdf meshes DESTINATION share/demo)",
+            "meshes/ at meshes",
+        ),
+        (
+            "install(DIRECTORY \"meshes\" DESTINATION share/demo)",
+            "meshes/ at \"meshes\"",
+        ),
+        (
+            "install(FILES urdf/r.urdf urdf/s.urdf DESTINATION share/demo)",
+            "urdf/s.urdf at urdf/s.urdf",
+        ),
+        (
+            "install(PROGRAMS run.py DESTINATION lib/demo)",
+            "run.py at run.py",
+        ),
+        (
+            "foreach(d urdf rviz)\ninstall(DIRECTORY ${d}/ DESTINATION share/demo)\nendforeach()",
+            "rviz// at ${d}/",
+        ),
+        (
+            "set(DIRS urdf rviz)\ninstall(DIRECTORY ${DIRS} DESTINATION share/demo)",
+            "rviz/ at ${DIRS}",
+        ),
+        (
+            "ament_auto_package(INSTALL_TO_SHARE urdf maps)",
+            "maps/ at maps",
+        ),
+        ("add_subdirectory(tools)", "a.py at a.py"),
+        // may go on
+        (
+            "install(DIRECTORY meshes DESTINATION share/demo OPTIONAL)",
+            "",
+        ),
+        (
+            "install(DIRECTORY meshes DESTINATION share/demo FILES_MATCHING PATTERN \"*.stl\")",
+            "",
+        ),
+        (
+            "if(BUILD_TESTING)\ninstall(DIRECTORY meshes DESTINATION share/demo)\nendif()",
+            "",
+        ),
+        // not known
+        ("install(DIRECTORY ${MESHES} DESTINATION share/demo)", ""),
+        (
+            "install(DIRECTORY ../other/meshes DESTINATION share/demo)",
+            "",
+        ),
+        (
+            "install(DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/meshes DESTINATION share/demo)",
+            "",
+        ),
+        // the build makes it
+        (
+            "file(MAKE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/meshes)\ninstall(DIRECTORY meshes DESTINATION share/demo)",
+            "",
+        ),
+        (
+            "add_custom_command(OUTPUT s.urdf COMMAND xacro)\ninstall(FILES s.urdf DESTINATION share/demo)",
+            "",
+        ),
+        ("# install(DIRECTORY meshes DESTINATION share/demo)", ""),
+    ];
+    for (build_file, expected) in table {
+        assert_eq!(missing(build_file), expected, "{build_file}");
+    }
+}

@@ -1,7 +1,7 @@
 //! Rigid bodies: links with all that is fixed to them, which simulators take for one.
-use nalgebra::{Isometry3, Matrix3, Vector3};
+use nalgebra::Isometry3;
 
-use model::{Inertial, JointType, Kinematics, Link, Robot, transform};
+use model::{JointType, Kinematics, Link, Robot, joined_inertia, transform};
 
 /// A link that is the root or moves, with the links that are fixed below it.
 #[derive(Debug)]
@@ -64,37 +64,11 @@ fn body(robot: &Robot, kinematics: &Kinematics, top: usize) -> RigidBody {
 }
 
 fn sum(robot: &Robot, placed: &[(usize, Option<Isometry3<f64>>)]) -> Option<(f64, [f64; 6])> {
-    let (mut mass, mut moment, mut inertia) = (0.0, Vector3::zeros(), Matrix3::zeros());
-    for &(link, place) in placed {
-        let link = robot.links.get(link);
-        let Some(inertial) = link.and_then(|link| link.inertial.as_ref()) else {
-            continue;
-        };
-        let (own_mass, center, own) = at(inertial, &place?)?;
-        mass += own_mass;
-        moment += center * own_mass;
-        inertia += own + shift(center) * own_mass;
-    }
-    if mass != 0.0 {
-        inertia -= shift(moment / mass) * mass;
-    }
-    // by columns
-    let [[xx, ..], [xy, yy, _], [xz, yz, zz]]: [[f64; 3]; 3] = inertia.into();
-    Some((mass, [xx, xy, xz, yy, yz, zz]))
-}
-
-/// Mass, center of mass and inertia about it, in the axes of the body.
-fn at(inertial: &Inertial, place: &Isometry3<f64>) -> Option<(f64, Vector3<f64>, Matrix3<f64>)> {
-    let [xx, xy, xz, yy, yz, zz] = inertial.entries()?;
-    let place = place * transform(inertial.origin.as_ref())?;
-    let turn = place.rotation.to_rotation_matrix();
-    let own = turn * Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz) * turn.transpose();
-    Some((inertial.mass()?, place.translation.vector, own))
-}
-
-/// What a mass of 1 kg at a place adds to the inertia about the origin.
-fn shift(place: Vector3<f64>) -> Matrix3<f64> {
-    Matrix3::identity() * place.norm_squared() - place * place.transpose()
+    let parts = placed.iter().filter_map(|&(link, place)| {
+        let inertial = robot.links.get(link)?.inertial.as_ref()?;
+        Some((inertial, place))
+    });
+    joined_inertia(parts)
 }
 
 /// Whether a link has a mass, or one that is not known.

@@ -32,6 +32,12 @@ pub(super) fn is_before_jazzy(cx: &DocumentCx<'_>) -> bool {
     has_old_plugin(cx) || root.is_some_and(|root| cx.world.packages.is_before_jazzy(root))
 }
 
+/// Whether a robot is used with Jazzy or a later distribution: the plugin of its simulator or its package says so.
+pub(super) fn is_since_jazzy(cx: &DocumentCx<'_>) -> bool {
+    let root = cx.expansion.files.first().map(|file| &*file.source.path);
+    !has_old_plugin(cx) && root.is_some_and(|root| cx.world.packages.is_since_jazzy(root))
+}
+
 /// Whether the hardware is that of a simulator that Jazzy has not.
 fn has_old_plugin(cx: &DocumentCx<'_>) -> bool {
     const OLD: [&str; 2] = ["gazebo_ros2_control/", "ign_ros2_control/"];

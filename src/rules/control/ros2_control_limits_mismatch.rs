@@ -6,7 +6,7 @@ use super::super::context::DocumentCx;
 use super::super::numbers::{UNLIMITED, rewrite, short};
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use super::joints::{controlled, is_before_jazzy, range, value_place};
+use super::joints::{controlled, is_since_jazzy, range, value_place};
 use model::{AttrValue, Interface, Joint};
 
 pub(super) static RULE: Rule = Rule {
@@ -27,10 +27,10 @@ const ROUNDING: f64 = 1e-3;
 const ALL_AROUND: f64 = TAU * 0.999;
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    // before Jazzy, ros2_control does not read them
-    let usual = LazyCell::new(|| match is_before_jazzy(cx) {
-        true => Severity::Info,
-        false => RULE.severity,
+    // before Jazzy, ros2_control does not read them, and without a word of it most workspaces are older
+    let usual = LazyCell::new(|| match is_since_jazzy(cx) {
+        true => RULE.severity,
+        false => Severity::Info,
     });
     for (control, joint) in controlled(cx) {
         let Some(limits) = range(joint) else {

@@ -52,11 +52,12 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                 name.origin,
                 format!("name of {what} {}contains {shown}", quoted(name)),
             )
-            // no controller ever names a joint that is fixed; frames may have the letters of any language
+            // no controller ever names a joint that is fixed; names may have the letters of any language, and frames any sign
             .severity(
                 if is_fixed_joint(cx, named, &name.value)
                     || signs.get(&bad).is_some_and(|&count| count >= SCHEME)
-                    || named == NamedElement::Link && name.value.chars().all(is_letter)
+                    || name.value.chars().all(is_letter)
+                    || named == NamedElement::Link && !name.value.chars().any(is_kept_apart)
                 {
                     Severity::Info
                 } else {
@@ -174,6 +175,11 @@ fn quoted(name: &AttrValue) -> String {
 /// Whether a letter is admitted, or one of another language than English.
 fn is_letter(c: char) -> bool {
     is_admitted(c) || c.is_alphanumeric()
+}
+
+/// Whether a letter ends a name in some program, or was meant as a part of an expression.
+fn is_kept_apart(c: char) -> bool {
+    c.is_whitespace() || matches!(c, '{' | '}' | '$')
 }
 
 fn is_admitted(c: char) -> bool {

@@ -5,8 +5,8 @@ use super::super::context::DocumentCx;
 use super::super::grouping::Group;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::joined::{is_built_into_world, is_in_world, is_small_part};
-use super::moments::{Impossible, inertia_tag, judged};
+use super::joined::{body_inertia, is_built_into_world, is_in_world, is_small_part};
+use super::moments::{Impossible, InertiaClass, inertia_tag, judged, verdict};
 use model::{Inertial, JointType, Link};
 
 pub(in super::super) static RULE: Rule = Rule {
@@ -41,7 +41,7 @@ fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
     // what never moves here may be a part that moves elsewhere
     let severity = if is_built_into_world(cx, link) || !is_error(cx, link, inertial) {
         Severity::Info
-    } else if is_in_world(cx, link) {
+    } else if is_in_world(cx, link) || is_possible_with_others(cx, link) {
         Severity::Warning
     } else {
         Severity::Error
@@ -58,6 +58,14 @@ fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
     } else {
         report.done();
     }
+}
+
+/// Whether a link is fixed to others with which it makes a possible body: simulators see that body alone.
+fn is_possible_with_others(cx: &DocumentCx<'_>, link: &Link) -> bool {
+    body_inertia(cx, link).is_some_and(|(_, entries)| match verdict(entries) {
+        InertiaClass::Definite([a, b, c]) => a + b >= c,
+        _ => false,
+    })
 }
 
 /// Whether the largest moment of a link is that of a motor about its own joint.

@@ -7,7 +7,7 @@ use super::super::geometry::{Extent, extent_of};
 use super::super::vocabulary::is_surroundings;
 use base::FastSet;
 use expand::XId;
-use model::{Bounds, Joint, JointType, Link, transform};
+use model::{Bounds, Joint, JointType, Link, joined_inertia, transform};
 
 /// A geometry whose box has half a diagonal up to this length in meters is a marker: it does not show the shape.
 pub(super) const MARKER: f64 = 0.01;
@@ -105,6 +105,26 @@ pub(super) fn shape(cx: &DocumentCx<'_>, link: &Link) -> Option<Bounds> {
 /// The boxes of a link and of all that is fixed to it, in its frame: simulators join them to one body. Parts that are not
 /// known are left out.
 pub(super) fn body_boxes(cx: &DocumentCx<'_>, link: &Link) -> Vec<Bounds> {
+    let mut found = Vec::new();
+    for (part, place) in body_parts(cx, link) {
+        found.extend(known_box(cx, part).map(|bounds| bounds.moved(&place)));
+    }
+    found
+}
+
+/// Mass and inertia of a link with all that is fixed to it, as of one body; none when they are not known, or when nothing is.
+pub(super) fn body_inertia(cx: &DocumentCx<'_>, link: &Link) -> Option<(f64, [f64; 6])> {
+    let parts = body_parts(cx, link);
+    let inertials = parts
+        .iter()
+        .filter_map(|(part, place)| Some((part.inertial.as_ref()?, Some(*place))));
+    (inertials.clone().count() > 1)
+        .then(|| joined_inertia(inertials))
+        .flatten()
+}
+
+/// A link and all that is fixed to it, with their places in its frame.
+fn body_parts<'a>(cx: &DocumentCx<'a>, link: &Link) -> Vec<(&'a Link, Isometry3<f64>)> {
     const MOST: usize = 64;
     let mut seen: FastSet<&str> = FastSet::default();
     let mut open = vec![(link.shown(), Isometry3::identity())];
@@ -113,28 +133,17 @@ pub(super) fn body_boxes(cx: &DocumentCx<'_>, link: &Link) -> Vec<Bounds> {
         if matches!(name, "" | "?") || !seen.insert(name) {
             continue;
         }
-        let boxes = cx.links_named(name).filter_map(|link| known_box(cx, link));
-        found.extend(boxes.map(|bounds| bounds.moved(&place)));
+        found.extend(cx.links_named(name).map(|part| (part, place)));
         let fixed = |joint: &&Joint| joint.is(&[JointType::Fixed]);
         for joint in cx.joints_above(name).filter(fixed) {
             let to = transform(joint.origin.as_ref()).map(|to| place * to.inverse());
-            open.extend(
-                joint
-                    .parent
-                    .as_ref()
-                    .zip(to)
-                    .map(|(parent, to)| (parent.value.as_str(), to)),
-            );
+            let parent = joint.parent.as_ref().zip(to);
+            open.extend(parent.map(|(parent, to)| (parent.value.as_str(), to)));
         }
         for joint in cx.joints_below(name).filter(fixed) {
             let to = transform(joint.origin.as_ref()).map(|to| place * to);
-            open.extend(
-                joint
-                    .child
-                    .as_ref()
-                    .zip(to)
-                    .map(|(child, to)| (child.value.as_str(), to)),
-            );
+            let child = joint.child.as_ref().zip(to);
+            open.extend(child.map(|(child, to)| (child.value.as_str(), to)));
         }
     }
     found

@@ -122,7 +122,7 @@ fn same_numbers(inertial: &Inertial) -> EcoString {
 }
 
 /// Judge `ixx ixy ixz iyy iyz izz`.
-fn verdict(entries: [f64; 6]) -> InertiaClass {
+pub(super) fn verdict(entries: [f64; 6]) -> InertiaClass {
     let entries = without_noise(entries);
     let [xx, _, _, yy, _, zz] = entries;
     if entries == [0.0; 6] {

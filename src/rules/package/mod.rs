@@ -7,6 +7,7 @@ mod description_package_name;
 pub(super) mod description_read_as_yaml;
 mod duplicate_transform;
 pub(super) mod generated_urdf_out_of_date;
+mod installed_file_not_found;
 mod invalid_package_name;
 mod launch;
 mod launched_file_not_found;
@@ -62,4 +63,5 @@ pub(super) static RULES: &[&Rule] = &[
     &argument_never_set::RULE,
     &description_read_as_yaml::RULE,
     &duplicate_transform::RULE,
+    &installed_file_not_found::RULE,
 ];

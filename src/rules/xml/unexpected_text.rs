@@ -104,7 +104,8 @@ fn is_left_over(cx: &DocumentCx<'_>, parent: XId, text: XId) -> bool {
     last.is_some_and(|last| last.kind == XKind::Comment)
 }
 
-/// Whether a text without marks of markup goes on where a comment in the same line ends: a note that was put behind it.
+/// Whether a text without marks of markup stands behind something in the same line: a note about it, if it is behind a comment or
+/// has several words.
 fn is_note(cx: &DocumentCx<'_>, parent: XId, text: XId) -> bool {
     let tree = &cx.expansion.tree;
     let said = tree.get(text).text.as_str();
@@ -112,7 +113,10 @@ fn is_note(cx: &DocumentCx<'_>, parent: XId, text: XId) -> bool {
     let is_in_line = !said.get(..blank).is_some_and(|blank| blank.contains('\n'));
     let before = tree.children(parent).take_while(|&child| child != text);
     let is_comment = |id: XId| tree.get(id).kind == XKind::Comment;
-    is_in_line && !said.contains(['<', '>', '=']) && before.last().is_some_and(is_comment)
+    let is_long = said.split_whitespace().nth(2).is_some();
+    is_in_line
+        && !said.contains(['<', '>', '='])
+        && (is_long || before.last().is_some_and(is_comment))
 }
 
 /// A place without the blanks around its text.
