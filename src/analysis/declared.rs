@@ -9,6 +9,7 @@ use super::session::Session;
 use base::FastSet;
 use facts::{FactKind, MentionKind, facts_of};
 use vfs::SourceFile;
+use workspace::has_name;
 
 /// Descriptions that are read for the arguments of one robot.
 const MOST_FILES: usize = 500;
@@ -57,6 +58,12 @@ impl KnownArguments {
         }
         known.complete &= !known.names.iter().any(|name| name.contains('$'));
         known
+    }
+
+    /// Whether a description has no arguments, and not even a comment about one of this name: it has no variants.
+    pub(super) fn never_had(&self, name: &str) -> bool {
+        let mut files = self.files.iter();
+        self.names.is_empty() && !files.any(|file| has_name(&file.document.text(), name))
     }
 
     /// The arguments that are declared, each with its default where it has one.

@@ -9,6 +9,7 @@ use super::argument_places::argument_place;
 use super::declared::KnownArguments;
 use super::kept::is_launch_left_over;
 use super::launch_values::{outside_choices, value_findings};
+use super::launched_controllers::findings_of_spawners;
 use super::launched_descriptions::LaunchedDescriptions;
 use super::launched_transforms::LaunchedTransforms;
 use super::options::CheckOptions;
@@ -42,6 +43,7 @@ pub(super) fn launch_findings(session: &Session, options: &CheckOptions) -> Vec<
         found.extend(outside_choices(session, &folder, |_| true));
         let mut transforms = LaunchedTransforms::new(session, &options.cancel);
         found.extend(transforms.findings(&folder, |_| true));
+        found.extend(findings_of_spawners(session, &folder, |_| true));
     }
     // folders may be inside of others
     let mut seen = FastSet::default();
@@ -76,8 +78,10 @@ pub(super) fn shown_launch_findings(
         found.extend(outside_choices(session, &top, |path| {
             launch_files.contains(&path)
         }));
+        let is_shown = |path: &PathBuf| launch_files.contains(&path);
         let mut transforms = LaunchedTransforms::new(session, cancel);
-        found.extend(transforms.findings(&top, |path| launch_files.contains(&path)));
+        found.extend(transforms.findings(&top, is_shown));
+        found.extend(findings_of_spawners(session, &top, is_shown));
     }
     found
 }
@@ -257,6 +261,7 @@ fn findings_of(
         let is_idle = near.is_none()
             && argument.is_fixed(call.call.range)
             && !names.any(|known| is_like(known, name))
+            || !tells_robots_apart(name) && robots.iter().all(|(_, known)| known.never_had(name))
             || is_for_the_robot(session, call, calls, name);
         found.push(unknown_launch_argument(
             span,
@@ -266,6 +271,13 @@ fn findings_of(
             is_certain && !is_idle,
         ));
     }
+}
+
+/// Whether an argument is for several robots in one system: without it, all have the same names.
+fn tells_robots_apart(name: &str) -> bool {
+    ["prefix", "namespace"]
+        .iter()
+        .any(|word| name.contains(word))
 }
 
 /// Whether a launch file has another use for an argument that it passes in vain: it starts something only if it is set.

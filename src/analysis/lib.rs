@@ -35,6 +35,7 @@ mod launch_findings;
 mod launch_names;
 mod launch_values;
 mod launched;
+mod launched_controllers;
 mod launched_descriptions;
 mod launched_transforms;
 mod left_over;

@@ -98,6 +98,7 @@ pub(super) fn settle_settings(
         let is_idle = || {
             is_left_behind(session, file)
                 || is_unread(session, file)
+                || sort(file) == Some(Sort::Srdf) && session.callers.read_srdf_without_moveit(file)
                 || is_for_tests(session, file)
                 || is_outside_the_build(session, file)
         };

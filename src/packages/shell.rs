@@ -46,6 +46,19 @@ impl Packages {
         })
     }
 
+    /// The same; for a file of no package, that of the packages around it, if they agree.
+    pub fn generation_around(&self, file: &Path) -> Option<RosVersion> {
+        if self.containing(file).is_some() {
+            return self.generation(file);
+        }
+        let packages = self.below(&self.sources_around(file)?);
+        let mut all = packages
+            .into_iter()
+            .map(|(_, folder)| self.generation(&folder.join(MANIFEST)));
+        let first = all.next()??;
+        all.all(|other| other == Some(first)).then_some(first)
+    }
+
     /// Whether the manifest of the package around a file says that it is built for ROS 2.
     pub fn is_for_ament(&self, file: &Path) -> bool {
         let says = |folder: &Path| {

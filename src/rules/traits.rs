@@ -72,7 +72,7 @@ static SIMULATION: [&Rule; 5] = [
     &joint::mimic_range_exceeds_limits::RULE,
 ];
 
-static GAZEBO: [&Rule; 7] = [
+static GAZEBO: [&Rule; 8] = [
     &control::gazebo_link_settings_on_joint::RULE,
     &control::sdf_surface::RULE,
     &control::gazebo_unknown_reference::RULE,
@@ -80,6 +80,7 @@ static GAZEBO: [&Rule; 7] = [
     &control::plugin_unknown_frame::RULE,
     &control::plugin_unknown_joint::RULE,
     &control::plugin_wheel_mismatch::RULE,
+    &control::plugin_wheels_exchanged::RULE,
 ];
 
 static GAZEBO_CLASSIC: [&Rule; 2] = [

@@ -8,7 +8,7 @@ mod left_out;
 
 pub use callers::{
     Caller, Callers, Era, Excluded, GivenArg, PublishedTransform, Purpose, RobotCall,
-    downloads_data, has_name, is_page, without_comments,
+    SpawnedControllers, downloads_data, has_name, is_page, without_comments,
 };
 pub use include_pattern::{
     admitted_files, include_pattern, included_files, named_file, reached_files,

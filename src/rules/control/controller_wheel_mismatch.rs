@@ -10,7 +10,7 @@ use super::controller_unknown_interface::class_of;
 use super::wheel_sizes::{WheelPair, length};
 use base::Span;
 use model::{AttrValue, Link};
-use project::Controller;
+use project::{Controller, SpannedName};
 
 pub(in super::super) static RULE: Rule = Rule::beside(
     "CTL033",
@@ -21,7 +21,7 @@ pub(in super::super) static RULE: Rule = Rule::beside(
     check,
 );
 
-const CLASS: &str = "diff_drive_controller/DiffDriveController";
+pub(super) const CLASS: &str = "diff_drive_controller/DiffDriveController";
 /// The keys of the joints that it turns, left and right: those of ROS 2, and of ROS 1.
 const JOINTS: [[&str; 2]; 2] = [
     ["left_wheel_names", "right_wheel_names"],
@@ -62,7 +62,7 @@ fn is_tuned(controller: &Controller) -> bool {
 }
 
 /// The first wheels of a controller on each side, in each robot that has them.
-fn wheels<'a>(cx: &BesideCx<'a>, controller: &Controller) -> Vec<WheelPair<'a>> {
+pub(super) fn wheels<'a>(cx: &BesideCx<'a>, controller: &Controller) -> Vec<WheelPair<'a>> {
     let named = |key: &str| {
         let mut all = controller.joints.iter().filter(|(own, _)| own == key);
         let (_, first) = all.next()?;
@@ -82,6 +82,13 @@ fn wheels<'a>(cx: &BesideCx<'a>, controller: &Controller) -> Vec<WheelPair<'a>> 
             WheelPair::of(paired.robot, paired.kinematics, joints, &bounds)
         })
         .collect()
+}
+
+/// The first wheel on the left.
+pub(super) fn first_joint(controller: &Controller) -> Option<&SpannedName> {
+    let mut all = controller.joints.iter();
+    let is_left = |key: &str| JOINTS.iter().any(|[left, _]| *left == key);
+    all.find_map(|(key, name)| is_left(key).then_some(name))
 }
 
 /// Whether a robot names another variant of the file for its controllers: one of the same name in a folder beside it, or one in its

@@ -57,8 +57,8 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         match near {
             Some(near) => {
                 // the part that the name resembles has its color
-                let is_left_over =
-                    changes_nothing(cx, block) && around.referred_to.contains(near)
+                let is_left_over = changes_nothing(cx, block)
+                    && (around.referred_to.contains(near) || !has_color(cx, block))
                         || around.commented_out.contains(name.as_str());
                 let severity = if is_left_over { Severity::Info } else { RULE.severity };
                 let report =
@@ -195,16 +195,26 @@ fn sets_only_self_collision(cx: &RobotCx<'_>, block: &Gazebo) -> bool {
 fn changes_nothing(cx: &RobotCx<'_>, block: &Gazebo) -> bool {
     const IDLE: [&str; 3] = ["disableFixedJointLumping", "material", "preserveFixedJoint"];
     let tree = &cx.expansion.tree;
-    let keeps_gravity = |child: XId, name: &str| {
+    let is_usual = |child: XId, name: &str| {
         let usual = match name {
             "gravity" => ["true", "1"],
-            "turnGravityOff" => ["false", "0"],
+            "turnGravityOff" | "selfCollide" | "self_collide" => ["false", "0"],
             _ => return false,
         };
         AttrValue::content(tree, child).is_some_and(|text| usual.contains(&text.value.trim()))
     };
     tree.elements(block.element).all(|child| {
         let name = tree.get(child).text.as_str();
-        IDLE.contains(&name) || keeps_gravity(child, name)
+        IDLE.contains(&name) || is_usual(child, name)
+    })
+}
+
+/// Whether an element gives its part a color.
+fn has_color(cx: &RobotCx<'_>, block: &Gazebo) -> bool {
+    let tree = &cx.expansion.tree;
+    let mut children = tree.elements(block.element);
+    children.any(|child| {
+        tree.get(child).text == "material"
+            && AttrValue::content(tree, child).is_some_and(|text| !text.value.trim().is_empty())
     })
 }

@@ -4,6 +4,7 @@ mod controller_joint_without_hardware;
 pub(super) mod controller_unknown_interface;
 pub(super) mod controller_unknown_joint;
 mod controller_wheel_mismatch;
+mod controller_wheels_exchanged;
 pub(super) mod controller_without_parameters;
 mod gazebo_classic_plugin;
 pub(super) mod gazebo_link_settings_on_joint;
@@ -19,6 +20,7 @@ pub(super) mod plugin_file_not_found;
 pub(super) mod plugin_unknown_frame;
 pub(super) mod plugin_unknown_joint;
 pub(super) mod plugin_wheel_mismatch;
+pub(super) mod plugin_wheels_exchanged;
 mod plugins;
 pub(super) mod ros1_gazebo_plugin;
 pub(super) mod ros1_plugin_parameter;
@@ -32,6 +34,7 @@ mod ros2_control_mimic_command;
 mod ros2_control_missing_plugin;
 mod ros2_control_no_interfaces;
 mod ros2_control_param_nonpositive_size;
+mod ros2_control_plugin_mismatch;
 mod ros2_control_unknown_interface;
 mod ros2_control_unknown_joint;
 mod ros2_control_unknown_tag;
@@ -85,4 +88,7 @@ pub(super) static RULES: &[&Rule] = &[
     &gazebo_link_settings_on_joint::RULE,
     &sdf_surface::RULE,
     &plugin_unknown_frame::RULE,
+    &plugin_wheels_exchanged::RULE,
+    &controller_wheels_exchanged::RULE,
+    &ros2_control_plugin_mismatch::RULE,
 ];

@@ -21,9 +21,9 @@ pub(in super::super) static RULE: Rule = Rule {
 };
 
 /// Parts of the file names of plugins that drive wheels on two sides.
-const DRIVES: [&str; 3] = ["diff_drive", "diff-drive", "skid_steer"];
+pub(super) const DRIVES: [&str; 3] = ["diff_drive", "diff-drive", "skid_steer"];
 /// The tags of the joints that they turn, left and right.
-const JOINTS: [[&str; 2]; 3] = [
+pub(super) const JOINTS: [[&str; 2]; 3] = [
     ["left_joint", "right_joint"],
     ["leftJoint", "rightJoint"],
     ["leftFrontJoint", "rightFrontJoint"],
@@ -59,7 +59,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
 }
 
 /// The first wheels of a plugin on each side.
-fn wheels<'a>(cx: &RobotCx<'a>, tree: &XTree, plugin: XId) -> Option<WheelPair<'a>> {
+pub(super) fn wheels<'a>(cx: &RobotCx<'a>, tree: &XTree, plugin: XId) -> Option<WheelPair<'a>> {
     let named = |tag: &str| {
         let mut all = tree.elements(plugin);
         let first = all.find(|&child| tree.get(child).text == tag)?;

@@ -28,8 +28,14 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         .iter()
         .flat_map(|transmission| &transmission.joints);
     let names: Vec<&AttrValue> = listed.filter_map(|(_, name)| name.as_ref()).collect();
+    if names.is_empty() {
+        return;
+    }
     let root = cx.expansion.files.first().map(|file| &*file.source.path);
-    let severity = match root.and_then(|root| cx.world.packages.generation(root)) {
+    let generation = root.and_then(|root| cx.world.packages.generation(root));
+    // a description of no package is for the ROS of those around it
+    let around = || root.and_then(|root| cx.world.packages.generation_around(root));
+    let severity = match generation {
         // nothing in ROS 2 reads these elements: what resembles no joint is left over from ROS 1
         Some(RosVersion::Ros2) => {
             let is_slip = |text: &&AttrValue| {
@@ -42,6 +48,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
             unknown_joints(cx, out, slips.into_iter(), BLOCK, Severity::Warning);
             return unknown_joints(cx, out, others.into_iter(), BLOCK, Severity::Info);
         }
+        None if around() == Some(RosVersion::Ros2) => Severity::Info,
         _ if is_driven_by_plugin(cx) => Severity::Info,
         _ => RULE.severity,
     };

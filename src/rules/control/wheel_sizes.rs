@@ -127,6 +127,30 @@ impl<'a> WheelPair<'a> {
         differs.then(|| (message(), real))
     }
 
+    /// What is wrong with the sides of the wheels, and what to do about it; none where they fit. With the axis of both pointing from the
+    /// left wheel to the right one, a drive that is told to turn left turns right, wherever its front is.
+    pub fn exchanged(&self) -> Option<(String, &'static str)> {
+        const LEVEL: f64 = 0.1;
+        const PARALLEL: f64 = 0.9;
+        /// In meters.
+        const LEAST: f64 = 0.02;
+        let (left, right) = (&self.left, &self.right);
+        let is_pair = left.axle.z.abs() < LEVEL && left.axle.dot(&right.axle) > PARALLEL;
+        let apart = (left.center - right.center).dot(&left.axle);
+        let (one, other) = (left.link.shown(), right.link.shown());
+        let what = if left.axle.y > 0.0 {
+            "exchange the two joints"
+        } else {
+            "turn the axes of both joints around, or exchange the joints"
+        };
+        (is_pair && apart < -LEAST).then(|| {
+            let message = format!(
+                "the robot turns the wrong way: the axis of the left wheel `{one}` points to the right wheel `{other}`"
+            );
+            (message, what)
+        })
+    }
+
     fn radius_of_left(&self) -> String {
         let Wheel { link, radius, .. } = &self.left;
         format!(

@@ -1,5 +1,6 @@
 //! Two materials of one name.
 use super::super::context::DocumentCx;
+use super::super::grouping::Group;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use base::FastMap;
@@ -33,6 +34,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             Some(earlier) => out
                 .report(name.origin, format!("duplicate material `{value}`"))
                 .also(earlier.origin, "first defined here")
+                // a file of colors that is included twice, or written out twice
+                .group(Group::File)
                 .help("remove one of them; urdfdom rejects the robot even if both are equal")
                 .done(),
         }

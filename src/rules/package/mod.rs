@@ -20,6 +20,7 @@ mod missing_launch_argument;
 pub(super) mod missing_package_dependency;
 pub(super) mod package_not_found;
 mod resource_not_installed;
+mod spawned_controller_not_found;
 pub(super) mod unknown_launch_argument;
 mod value_never_compared;
 mod value_outside_choices;
@@ -39,6 +40,7 @@ pub(super) use mention::PackageMention;
 pub use missing_launch_argument::missing_launch_argument;
 pub use package_not_found::missing_packages;
 pub(super) use package_not_found::{RULE as PACKAGE_NOT_FOUND, is_news, warn_once};
+pub use spawned_controller_not_found::spawned_controller_not_found;
 pub use unknown_launch_argument::unknown_launch_argument;
 pub use value_never_compared::value_never_compared;
 pub use value_outside_choices::value_outside_choices;
@@ -64,4 +66,5 @@ pub(super) static RULES: &[&Rule] = &[
     &description_read_as_yaml::RULE,
     &duplicate_transform::RULE,
     &installed_file_not_found::RULE,
+    &spawned_controller_not_found::RULE,
 ];

@@ -64,7 +64,7 @@ fn report(cx: &DocumentCx<'_>, parent: XId, text: XId, out: &mut Sink<'_>) {
     let is_comment = ["#", "//"].iter().any(|start| shown.starts_with(start));
     let is_harmless = is_comment
         || is_prose(cx, parent, &shown)
-        || is_left_over(cx, parent, text)
+        || is_left_over(cx, text)
         || is_note(cx, parent, text);
     out.report(trimmed(cx, node.origin), message)
         .severity(if is_harmless {
@@ -88,20 +88,10 @@ fn is_prose(cx: &DocumentCx<'_>, parent: XId, shown: &str) -> bool {
     !shown.contains(is_of_markup) && (words > 1 && around != "robot" || is_one && is_between_parts)
 }
 
-/// Whether a text is a bracket that was typed twice, as in `<link name="a"/>>`. An end of a comment without its start is more: what
-/// stands in front of it was to be left out.
-fn is_left_over(cx: &DocumentCx<'_>, parent: XId, text: XId) -> bool {
-    let tree = &cx.expansion.tree;
-    let shown = tree.get(text).text.trim();
-    if shown != "-->" {
-        return shown.chars().all(|c| matches!(c, '<' | '>' | '/' | '-'));
-    }
-    let before = tree.children(parent).take_while(|&child| child != text);
-    let last = before
-        .map(|id| tree.get(id))
-        .filter(|node| node.kind != XKind::Text || !node.text.trim().is_empty())
-        .last();
-    last.is_some_and(|last| last.kind == XKind::Comment)
+/// Whether a text is a bracket that was typed twice, as in `<link name="a"/>>`, or the end of a comment that was taken away.
+fn is_left_over(cx: &DocumentCx<'_>, text: XId) -> bool {
+    let shown = cx.expansion.tree.get(text).text.trim();
+    shown.chars().all(|c| matches!(c, '<' | '>' | '/' | '-'))
 }
 
 /// Whether a text without marks of markup stands behind something in the same line: a note about it, if it is behind a comment or

@@ -10,8 +10,8 @@ use super::choices::{Excluded, excluded};
 use super::uses::{Uses, search};
 use super::{Callers, GivenArg};
 use crate::launch::{
-    self, LaunchCall, LaunchContext, LaunchFile, StaticTransform, calls_in, forget_defaults,
-    included, loads_in, transforms_in,
+    self, LaunchCall, LaunchContext, LaunchFile, SpawnedController, StaticTransform, calls_in,
+    forget_defaults, included, loads_in, spawned_in, transforms_in,
 };
 use packages::Packages;
 use std::sync::Arc;
@@ -37,6 +37,15 @@ pub struct PublishedTransform {
     pub started: Vec<PathBuf>,
 }
 
+/// The controllers that a launch file starts.
+#[derive(Clone, Debug)]
+pub struct SpawnedControllers {
+    /// The launch file.
+    pub file: PathBuf,
+    /// What it starts.
+    pub controllers: Vec<SpawnedController>,
+}
+
 /// What the launch files below a folder say.
 pub(super) struct LaunchCalls {
     pub calls: Arc<Vec<RobotCall>>,
@@ -44,6 +53,8 @@ pub(super) struct LaunchCalls {
     pub loads: Arc<Vec<RobotCall>>,
     /// The transforms that they publish themselves.
     pub transforms: Arc<Vec<PublishedTransform>>,
+    /// The controllers that they start.
+    pub spawned: Arc<Vec<SpawnedControllers>>,
     /// The values that choices rule out.
     pub excluded: Arc<Vec<Excluded>>,
 }
@@ -70,6 +81,11 @@ impl Callers {
     /// The transforms that launch files below a folder publish themselves, in the order of the paths of the files.
     pub fn transforms_below(&self, top: &Path) -> Arc<Vec<PublishedTransform>> {
         self.called_below(top).transforms.clone()
+    }
+
+    /// The controllers that launch files below a folder start, in the order of the paths of the files.
+    pub fn spawned_below(&self, top: &Path) -> Arc<Vec<SpawnedControllers>> {
+        self.called_below(top).spawned.clone()
     }
 
     /// What the launch files below a folder say.
@@ -134,10 +150,16 @@ fn all(uses: &Uses, packages: &Packages) -> LaunchCalls {
             started: started_by(file, &by_path, packages),
         })
     });
+    let spawned = files.iter().map(|file| SpawnedControllers {
+        file: file.path.clone(),
+        controllers: spawned_in(file),
+    });
+    let spawned = spawned.filter(|one| !one.controllers.is_empty());
     LaunchCalls {
         calls: with_targets(found.calls, packages),
         loads: with_targets(found.loads, packages),
         transforms: Arc::new(transforms.collect()),
+        spawned: Arc::new(spawned.collect()),
         excluded: Arc::new(excluded(&files, &by_path, packages)),
     }
 }

@@ -84,6 +84,21 @@ impl Callers {
         loaders.peek().is_some() && loaders.all(|caller| is_matlab(&caller))
     }
 
+    /// Whether programs around an SRDF read such files, and no text is about MoveIt: others read the pairs of links alone, or states.
+    pub fn read_srdf_without_moveit(&self, file: &Path) -> bool {
+        const MOVEIT: [&str; 3] = ["moveit", "MoveIt", "move_group"];
+        let has = |caller: &Caller, words: &[&str]| {
+            self.packages
+                .is_text(&caller.path, |text| read::has_any(text, words))
+        };
+        self.around(file).is_some_and(|uses| {
+            let mut all = uses.callers.iter();
+            let mut programs = all.clone().filter(|caller| caller.is_program());
+            programs.any(|program| has(program, &["srdf"]))
+                && !all.any(|caller| has(caller, &MOVEIT))
+        })
+    }
+
     /// Whether all programs that load a description are of a kind, and no launch file does. Where no program names a description
     /// that belongs to no package, those around it count that load others.
     fn load_in(&self, file: &Path, is_of_kind: impl Fn(&Caller) -> bool) -> bool {

@@ -9,6 +9,7 @@ mod loads;
 mod python;
 mod resolve;
 mod shell;
+mod spawners;
 mod text;
 mod transforms;
 mod xml;
@@ -30,6 +31,8 @@ use base::limits::LAUNCH_CALLS;
 pub(crate) use loads::loads_in;
 pub use resolve::{CallArgument, CommandWord, LaunchCall, Why, calls};
 pub(crate) use resolve::{LaunchContext, calls_in, forget_defaults, included, values_given};
+pub use spawners::SpawnedController;
+pub(crate) use spawners::spawned_in;
 use text::Text;
 pub use transforms::StaticTransform;
 pub(crate) use transforms::transforms_in;
@@ -49,6 +52,8 @@ pub struct LaunchFile {
     pub loads: Vec<LaunchCommand>,
     /// The words of publishers of transforms that do not change.
     pub transforms: Vec<LaunchCommand>,
+    /// The words of spawners of controllers.
+    pub spawners: Vec<LaunchCommand>,
     /// Launch files that it includes.
     pub includes: Vec<LaunchInclude>,
     /// Arguments that it sets while it runs.
@@ -184,7 +189,7 @@ pub(super) fn may_call(text: &str) -> bool {
     const LOADS: [&str; 5] = ["textfile=", "cat ", "-file", "open(", ".read_text("];
     let has_any = |words: &[&str]| words.iter().any(|word| text.contains(word));
     has_any(&WORDS)
-        || text.contains(TRANSFORM_PUBLISHER)
+        || has_any(&[TRANSFORM_PUBLISHER, SPAWNER])
         || has_any(&LOADS) && has_any(&DESCRIPTIONS)
 }
 
@@ -193,6 +198,9 @@ const DESCRIPTIONS: [&str; 3] = [".urdf", ".xacro", ".srdf"];
 
 /// The program that publishes one transform.
 const TRANSFORM_PUBLISHER: &str = "static_transform_publisher";
+
+/// The program that has a controller manager start controllers.
+const SPAWNER: &str = "spawner";
 
 /// Read a file; none when nothing in it can call xacro or load a description.
 pub fn read(path: &Path, text: &str) -> Option<LaunchFile> {
@@ -208,7 +216,12 @@ pub fn read(path: &Path, text: &str) -> Option<LaunchFile> {
         "yaml" | "yml" => shell::embedded(path, text),
         _ => return None,
     };
-    let commands = [&file.commands, &file.loads, &file.transforms];
+    let commands = [
+        &file.commands,
+        &file.loads,
+        &file.transforms,
+        &file.spawners,
+    ];
     let is_empty = commands.into_iter().all(Vec::is_empty) && file.includes.is_empty();
     (!is_empty).then_some(file)
 }

@@ -10,7 +10,8 @@ use super::command::is_xacro_program;
 use super::element;
 use super::text::Text;
 use super::{
-    CommandForm, DeclaredArgument, LaunchCommand, LaunchFile, LaunchInclude, TRANSFORM_PUBLISHER,
+    CommandForm, DeclaredArgument, LaunchCommand, LaunchFile, LaunchInclude, SPAWNER,
+    TRANSFORM_PUBLISHER,
 };
 
 /// What a launch file calls; nothing of text that is no XML.
@@ -92,10 +93,12 @@ impl LaunchXmlReader {
             } else if attribute.name() == "args" && node.has_tag_name("node") {
                 let words = self.text(attribute.value(), Some(range));
                 let program = node.attribute("type").or_else(|| node.attribute("exec"));
+                let assumed = self.assumed.clone();
+                let command = LaunchCommand::at(range, CommandForm::Line(words.clone()), assumed);
                 if program == Some(TRANSFORM_PUBLISHER) {
-                    let assumed = self.assumed.clone();
-                    let command = LaunchCommand::at(range, CommandForm::Line(words), assumed);
                     command.add_to(&mut self.file.transforms);
+                } else if node.attribute("exec") == Some(SPAWNER) {
+                    command.add_to(&mut self.file.spawners);
                 } else if program.is_none_or(|program| !is_xacro_program(program)) {
                     self.load(range, CommandForm::Line(words));
                 }

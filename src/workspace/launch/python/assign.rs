@@ -147,13 +147,15 @@ impl<'s> PythonReader<'s> {
             self.value_at(range);
             return;
         };
-        let published = self.found.transforms.len();
+        let started = (self.found.transforms.len(), self.found.spawners.len());
         let value = self.value_at(TextRange::new(range.start + start as u32, range.end));
         // a type behind the name
         let target = target.split(':').next().unwrap_or(target).trim();
         // what nothing hands on is not started
-        if self.found.transforms.len() > published && self.is_never_read(target) {
-            self.found.transforms.truncate(published);
+        let now = (self.found.transforms.len(), self.found.spawners.len());
+        if now > started && self.is_never_read(target) {
+            self.found.transforms.truncate(started.0);
+            self.found.spawners.truncate(started.1);
         }
         if let Some(operator) = augmented {
             self.augment(target, operator, value);

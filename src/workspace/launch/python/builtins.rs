@@ -8,11 +8,14 @@ use super::value::PythonValue;
 use super::{Deferred, PythonReader};
 use crate::launch::text::Text;
 use crate::launch::{
-    CommandForm, DeclaredArgument, LaunchCommand, LaunchInclude, TRANSFORM_PUBLISHER,
+    CommandForm, DeclaredArgument, LaunchCommand, LaunchInclude, SPAWNER, TRANSFORM_PUBLISHER,
 };
 
 /// What a condition around a node or an include may read.
 const CONDITION: &str = "condition";
+
+/// The spawner of controller_manager, and how it was called in Foxy.
+const SPAWNERS: [&str; 2] = [SPAWNER, "spawner.py"];
 
 /// The arguments of a call.
 pub(super) struct PythonArgs {
@@ -306,18 +309,23 @@ impl PythonReader<'_> {
         };
         let words = words.iter().cloned().map(PythonValue::written).collect();
         let words = CommandForm::Words(words);
-        let is_publisher = |(name, value): &(String, PythonValue)| {
-            name.ends_with("executable")
-                && matches!(value, PythonValue::Text(text) if text.literal().as_deref() == Some(TRANSFORM_PUBLISHER))
+        let is_of = |program: &str| {
+            args.named.iter().any(|(name, value)| {
+                name.ends_with("executable")
+                    && matches!(value, PythonValue::Text(text) if text.literal().as_deref() == Some(program))
+            })
         };
-        if !args.named.iter().any(is_publisher) {
-            return self.load(range, words);
-        }
-        let mut command = LaunchCommand::at(range, words, self.assumed.clone());
+        let mut command = LaunchCommand::at(range, words.clone(), self.assumed.clone());
         if args.named.iter().any(|(name, _)| name == CONDITION) {
             command.assumed.push(CONDITION.to_owned());
         }
-        command.add_to(&mut self.found.transforms);
+        if is_of(TRANSFORM_PUBLISHER) {
+            command.add_to(&mut self.found.transforms);
+        } else if SPAWNERS.into_iter().any(is_of) {
+            command.add_to(&mut self.found.spawners);
+        } else {
+            self.load(range, words);
+        }
     }
 
     /// The words of a command, or its text.
