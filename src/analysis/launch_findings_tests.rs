@@ -317,3 +317,67 @@ fn transforms_of_joints_that_nobody_publishes() {
         1
     );
 }
+
+#[test]
+fn arguments_of_a_robot_without_any() {
+    let plain = "<robot name='r' xmlns:xacro='x'><xacro:property name='length' value='1'/><link name='a'/></robot>";
+    let of = |robot: &str, name: &str| {
+        let command = format!("$(find xacro)/xacro $(find arm)/r.urdf.xacro {name}:=$(arg mode)");
+        let launch =
+            format!("<launch><arg name='mode'/><param name='d' command='{command}'/></launch>");
+        let files = [
+            ("package.xml", "<package><name>arm</name></package>"),
+            ("r.urdf.xacro", robot),
+            ("launch/a.launch", launch.as_str()),
+        ];
+        let all = found(&files, "unknown-launch-argument");
+        all.first().map(|found| found.1)
+    };
+    assert_eq!(of(plain, "sim_mode"), Some(Severity::Info));
+    // it had the argument once, or has others
+    let once = plain.replace("<link", "<!-- <xacro:arg name='sim_mode'/> --><link");
+    assert_eq!(of(&once, "sim_mode"), Some(Severity::Warning));
+    let other = plain.replace("<link", "<xacro:arg name='other' default=''/><link");
+    assert_eq!(of(&other, "sim_mode"), Some(Severity::Warning));
+    // robots that start together have the same names without it
+    assert_eq!(of(plain, "prefix"), Some(Severity::Warning));
+}
+
+#[test]
+fn controllers_that_no_parameters_know() {
+    const SETTINGS: &str =
+        "controller_manager:\n  ros__parameters:\n    go_controller:\n      type: a/B\n";
+    let of = |words: &str, path: &str, settings: &str| {
+        let launch = format!(
+            "Node(package='controller_manager', executable='spawner', arguments=[{words}])\nload('r.urdf')"
+        );
+        let files = [
+            ("package.xml", "<package><name>cart</name></package>"),
+            ("r.urdf", "<robot name='r'><link name='a'/></robot>"),
+            ("config/controllers.yaml", settings),
+            (path, launch.as_str()),
+        ];
+        let all = found(&files, "spawned-controller-not-found");
+        all.first().map(|found| found.1)
+    };
+    let launch = "launch/a.launch.py";
+    assert_eq!(
+        of("'go_control'", launch, SETTINGS),
+        Some(Severity::Warning)
+    );
+    assert_eq!(of("'go_controller'", launch, SETTINGS), None);
+    assert_eq!(
+        of("'go_control', '--param-file', a", launch, SETTINGS),
+        None
+    );
+    // some file has the name, or none is about controllers
+    assert_eq!(
+        of("'go_control'", launch, &format!("{SETTINGS}# go_control\n")),
+        None
+    );
+    assert_eq!(of("'go_control'", launch, "speed: 1\n"), None);
+    assert_eq!(
+        of("'go_control'", "old/a.launch.py", SETTINGS),
+        Some(Severity::Info)
+    );
+}

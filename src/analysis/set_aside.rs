@@ -104,14 +104,6 @@ pub(super) fn settle_set_aside(
     lower_where(findings, is_piece, || {
         (!session.callers.load(&task.file)).then_some(Severity::Info)
     });
-    // who collects descriptions has the packages, or does not need them
-    let is_without_packages = |finding: &Finding| {
-        finding.rule == named::PACKAGE_NOT_FOUND && finding.message.starts_with("none of")
-    };
-    lower_where(findings, is_without_packages, || {
-        let package = session.packages.containing(&task.file);
-        package.is_none().then_some(Severity::Info)
-    });
     let is_mesh = |finding: &Finding| finding.rule == named::MESH_NOT_FOUND;
     lower_where(findings, is_mesh, || {
         session

@@ -110,3 +110,27 @@ fn settings_that_nothing_can_load() {
         Some(Severity::Error)
     );
 }
+
+#[test]
+fn srdfs_that_other_programs_than_moveit_read() {
+    let arm = "<robot name='arm'><link name='base'/><link name='tip'/><joint name='elbow' type='revolute'>\
+               <parent link='base'/><child link='tip'/><axis xyz='0 0 1'/>\
+               <limit lower='-1' upper='1' effort='1' velocity='2'/></joint></robot>";
+    let srdf = "<robot name='other'><group name='arm'><joint name='elbow'/></group></robot>";
+    let of = |program: &str, launch: &str| {
+        let files = [
+            ("arm.urdf", arm),
+            ("arm.srdf", srdf),
+            ("walk.py", program),
+            ("launch/a.launch.py", launch),
+        ];
+        severity_below("", &files, "arm.srdf", "srdf-robot-name")
+    };
+    let reads = "import pinocchio as pin\npin.loadReferenceConfigurations(model, 'arm.srdf')\npin.buildModelFromUrdf('arm.urdf')\n";
+    let launch = "load('arm.urdf', 'arm.srdf')";
+    assert_eq!(of(reads, launch), Some(Severity::Info));
+    let by_another = reads.replace("pinocchio", "plan");
+    assert_eq!(of(&by_another, launch), Some(Severity::Warning));
+    let with_moveit = format!("{launch}  # for move_group");
+    assert_eq!(of(reads, &with_moveit), Some(Severity::Warning));
+}

@@ -84,8 +84,10 @@ impl Callers {
         loaders.peek().is_some() && loaders.all(|caller| is_matlab(&caller))
     }
 
-    /// Whether programs around an SRDF read such files, and no text is about MoveIt: others read the pairs of links alone, or states.
+    /// Whether programs around an SRDF read such files by a library that takes only the pairs of links or the states of them, and no text
+    /// is about MoveIt.
     pub fn read_srdf_without_moveit(&self, file: &Path) -> bool {
+        const READERS: [&str; 3] = ["pinocchio", "mplib", "sapien"];
         const MOVEIT: [&str; 3] = ["moveit", "MoveIt", "move_group"];
         let has = |caller: &Caller, words: &[&str]| {
             self.packages
@@ -94,7 +96,7 @@ impl Callers {
         self.around(file).is_some_and(|uses| {
             let mut all = uses.callers.iter();
             let mut programs = all.clone().filter(|caller| caller.is_program());
-            programs.any(|program| has(program, &["srdf"]))
+            programs.any(|program| has(program, &["srdf"]) && has(program, &READERS))
                 && !all.any(|caller| has(caller, &MOVEIT))
         })
     }
