@@ -187,3 +187,17 @@ fn includes_without_prefix() {
     assert_eq!(of("", "unprefixed-xacro-tag"), Some(Severity::Info));
     assert_eq!(of("xacro:", "undefined-link"), Some(Severity::Error));
 }
+
+#[test]
+fn paths_that_a_program_fills_in() {
+    let of = |path: &str| {
+        let robot = format!(
+            "<robot name='r'><link name='a'><visual><geometry><mesh filename='{path}'/></geometry></visual></link></robot>"
+        );
+        let found = found(&[("r.urdf", &robot)], "mesh-not-found");
+        found.first().map(|found| found.1)
+    };
+    assert_eq!(of("{FOLDER}/arm.stl"), Some(Severity::Info));
+    assert_eq!(of("folder/arm.stl"), Some(Severity::Error));
+    assert_eq!(of("{}/arm.stl"), Some(Severity::Error));
+}

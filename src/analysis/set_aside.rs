@@ -159,6 +159,7 @@ pub(super) fn settle_set_aside(
     lower_where(findings, is_uncalled, is_library);
     let is_placeholder = |finding: &Finding| match finding.problem {
         Some(ProblemKind::ExpressionError) => is_replaced(session, &task.file, finding),
+        _ if finding.rule == named::MESH_NOT_FOUND => names_a_blank(&finding.message),
         _ => finding.rule == named::INVALID_NUMBER && is_filled_in(session, &task.file, finding),
     };
     lower_where(findings, is_placeholder, || Some(Severity::Info));
@@ -204,6 +205,17 @@ fn holds_bare_block(session: &Session, finding: &Finding) -> bool {
             node.kind() == NodeKind::Element && node.range().shift(base).start == start
         });
         own.is_some_and(|own| own.children().any(|child| child.name() == "insert_block"))
+    })
+}
+
+/// Whether a path has a name in braces, as in `{FOLDER}/arm.stl`: a program fills it in.
+fn names_a_blank(message: &str) -> bool {
+    let inside = message
+        .split_once('{')
+        .and_then(|(_, rest)| rest.split_once('}'));
+    inside.is_some_and(|(name, _)| {
+        let is_letter = |c: char| c.is_ascii_alphanumeric() || c == '_';
+        !name.is_empty() && name.chars().all(is_letter)
     })
 }
 
