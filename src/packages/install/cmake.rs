@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use super::commands::{CMakeArgument, CMakeCommand, commands};
 use super::required;
 use super::{Build, InstallSource, stem, tidy};
-use base::FastMap;
 use base::limits::{BUILD_BYTES, BUILD_DEPTH, GLOB_ENTRIES};
+use base::{FastMap, FastSet};
 use vfs::Vfs;
 
 /// Name of the build files of CMake.
@@ -46,6 +46,7 @@ pub(super) fn read(vfs: &Vfs, folder: &Path, build: &mut Build) {
         build,
         top: folder,
         conditions: 0,
+        uncertain: FastSet::default(),
         variables: FastMap::default(),
         left,
         entries,
@@ -91,6 +92,8 @@ pub(super) struct CMakeReader<'a> {
     pub(super) top: &'a Path,
     /// How many conditions are around the command.
     pub(super) conditions: u32,
+    /// The variables that commands under a condition set.
+    pub(super) uncertain: FastSet<String>,
     variables: FastMap<String, String>,
     /// How much more is read, in bytes of arguments.
     left: u32,

@@ -47,7 +47,11 @@ pub(super) fn note(reader: &mut CMakeReader<'_>, command: &CMakeCommand, here: C
     let first = command.arguments.first().map_or("", |first| &*first.text);
     reader.build.is_ament |= matches!(name, "ament_package" | "ament_auto_package")
         || name == "find_package" && first.starts_with("ament_cmake");
-    if MAKERS.contains(&name) || name == "file" && !READS.contains(&first) {
+    if reader.conditions > 0 && matches!(name, "set" | "list") {
+        // what a list holds is decided by the condition
+        let names = command.arguments.iter().map(|one| one.text.clone());
+        reader.uncertain.extend(names.take(2));
+    } else if MAKERS.contains(&name) || name == "file" && !READS.contains(&first) {
         for argument in &command.arguments {
             let path = reader.replaced(&argument.text);
             let path = path.map(|path| in_tree(here.folder, &path));
@@ -85,7 +89,11 @@ fn required(
         !KEYWORDS.contains(&word) && word != "INSTALL_TO_PATH"
     };
     let mut found = Vec::new();
-    for argument in listed.iter().take_while(ends) {
+    let is_certain = |argument: &&CMakeArgument| {
+        let mut names = reader.uncertain.iter();
+        !names.any(|name| argument.text.contains(&format!("${{{name}}}")))
+    };
+    for argument in listed.iter().take_while(ends).filter(is_certain) {
         let text = reader.replaced(&argument.text).unwrap_or_default();
         for shown in text.split(';').filter(|shown| !shown.is_empty()) {
             found.push(RequiredSource {

@@ -373,6 +373,10 @@ fn what_is_installed_and_not_there() {
             "if(BUILD_TESTING)\ninstall(DIRECTORY meshes DESTINATION share/demo)\nendif()",
             "",
         ),
+        (
+            "if(EXISTS meshes)\nlist(APPEND DIRS meshes)\nendif()\ninstall(DIRECTORY ${DIRS} DESTINATION share/demo)",
+            "",
+        ),
         // not known
         ("install(DIRECTORY ${MESHES} DESTINATION share/demo)", ""),
         (

@@ -36,23 +36,18 @@ const ROUND: [f64; 10] = [
     30.0, 45.0, 60.0, 90.0, 120.0, 135.0, 150.0, 180.0, 270.0, 360.0,
 ];
 
-/// Whether a number with many digits is a whole number of degrees in radians, such as 6.4577.
-fn is_converted(written: Option<&str>) -> bool {
+/// Whether a number has so many digits that it was computed, such as 6.4577: angles in degrees are written short.
+fn is_computed(written: Option<&str>) -> bool {
     const DIGITS: usize = 4;
-    const ROUNDING: f64 = 0.01;
-    let Some(written) = written else { return false };
-    let digits = written
-        .split_once('.')
-        .map_or(0, |(_, digits)| digits.len());
-    let degrees = written.parse::<f64>().map_or(f64::NAN, f64::to_degrees);
-    digits >= DIGITS && (degrees - degrees.round()).abs() < ROUNDING
+    let digits = written.and_then(|written| written.split_once('.'));
+    digits.is_some_and(|(_, digits)| digits.trim_end_matches('0').len() >= DIGITS)
 }
 
 /// Whether the part `range` of a value is an angle in radians, by its value or by what it was made with.
 fn is_in_radians(cx: &DocumentCx<'_>, text: &AttrValue, range: Range<usize>, angle: f64) -> bool {
     is_part_of_pi(angle)
         || angle.abs() < MOST_COMPUTED
-            && (is_converted(text.value.get(range.clone()))
+            && (is_computed(text.value.get(range.clone()))
                 || is_made_with(cx.expansion, text, range, &IN_RADIANS))
 }
 

@@ -11,6 +11,7 @@ mod srdf_not_adjacent;
 pub(super) mod srdf_robot_name;
 mod srdf_state_joint_not_in_group;
 mod srdf_state_out_of_limits;
+mod srdf_unknown_element;
 pub(super) mod srdf_unknown_group;
 mod srdf_unknown_joint;
 pub(super) mod srdf_unknown_link;
@@ -31,4 +32,5 @@ pub(super) static RULES: &[&Rule] = &[
     &srdf_duplicate_pair::RULE,
     &srdf_not_adjacent::RULE,
     &srdf_adjacent_pair_missing::RULE,
+    &srdf_unknown_element::RULE,
 ];

@@ -27,7 +27,7 @@ pub(super) use invalid_number::each_number;
 pub(super) use meant::{attributes as meant_attributes, with_dollars};
 pub use missing_robot_name::missing_robot_name;
 pub use seen::{CheckedElement, Numeric};
-pub(super) use walk::{described, each_below, known, root_element};
+pub(super) use walk::{described, each_below, known, meant, root_element, tag_names};
 
 // what expansion finds, without fixes of their own
 pub(super) static XML_ENCODING_MISMATCH: Rule = Rule::found(

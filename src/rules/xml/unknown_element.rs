@@ -9,8 +9,7 @@ use super::super::vocabulary::SDF_SURFACE;
 use super::missing_element::bare_shape;
 use super::seen::CheckedElement;
 use super::walk;
-use base::TextRange;
-use expand::{FileIdx, XId};
+use expand::XId;
 use model::{AttrValue, tag_start};
 
 pub(in super::super) static RULE: Rule = Rule {
@@ -129,7 +128,7 @@ fn report(
     let report = report
         .severity(severity)
         .help(Help::did_you_mean(near).and(&format!("Parsers silently ignore `{name}`")));
-    let Some((file, names)) = names(cx, id) else {
+    let Some((file, names)) = walk::tag_names(cx.expansion, id) else {
         return report.done();
     };
     let safety = if sure { Safety::Safe } else { Safety::Unsafe };
@@ -231,22 +230,4 @@ fn is_identity(cx: &DocumentCx<'_>, id: XId, meant: &str) -> bool {
     let vectors = ["xyz", "rpy"].into_iter();
     let mut vectors = vectors.filter_map(|name| AttrValue::attr(&cx.expansion.tree, id, name));
     meant == "origin" && vectors.all(|text| text.numbers() == Some([0.0; 3]))
-}
-
-/// Where the name stands in the start tag and in the end tag, when the source spells it.
-fn names(cx: &DocumentCx<'_>, id: XId) -> Option<(FileIdx, Vec<TextRange>)> {
-    let node = cx.expansion.tree.get(id);
-    let source =
-        walk::source_node(cx.expansion, node.origin).filter(|source| source.name() == node.text)?;
-    let base = cx.expansion.sources.get(node.origin.src)?.base;
-    let names = [Some(source.name_range()), source.end_name_range()];
-    let file = cx.expansion.place(node.origin)?.file;
-    Some((
-        file,
-        names
-            .into_iter()
-            .flatten()
-            .map(|range| range.shift(base))
-            .collect(),
-    ))
 }

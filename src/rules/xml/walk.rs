@@ -3,8 +3,8 @@ use super::super::context::{DocumentCx, RootKind};
 use super::super::schema::{self, ElementSpec};
 use super::super::vocabulary::{is_forgotten_prefix, is_free_zone};
 use super::super::xml::seen::CheckedElement;
-use base::FastSet;
-use expand::{Expansion, Origin, XId, XKind};
+use base::{FastSet, TextRange};
+use expand::{Expansion, FileIdx, Origin, XId, XKind};
 use model::AttrValue;
 use packages::edit_distance;
 use xml::Node;
@@ -153,8 +153,28 @@ pub(super) fn source_node(expansion: &Expansion, origin: Origin) -> Option<Node<
         .filter(|node| node.start_tag_range() == origin.range)
 }
 
+/// Where the name stands in the start tag and in the end tag, when the source spells it.
+pub(in super::super) fn tag_names(
+    expansion: &Expansion,
+    id: XId,
+) -> Option<(FileIdx, Vec<TextRange>)> {
+    let node = expansion.tree.get(id);
+    let source = source_node(expansion, node.origin).filter(|source| source.name() == node.text)?;
+    let base = expansion.sources.get(node.origin.src)?.base;
+    let names = [Some(source.name_range()), source.end_name_range()];
+    let file = expansion.place(node.origin)?.file;
+    Some((
+        file,
+        names
+            .into_iter()
+            .flatten()
+            .map(|range| range.shift(base))
+            .collect(),
+    ))
+}
+
 /// The candidate that a wrong word is meant to be, and whether that is sure: the only one at distance 1.
-pub(super) fn meant<'a>(
+pub(in super::super) fn meant<'a>(
     word: &str,
     candidates: impl Iterator<Item = &'a str>,
 ) -> Option<(&'a str, bool)> {

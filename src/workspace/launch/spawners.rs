@@ -114,6 +114,11 @@ mod tests {
         let text = node("'a_controller'");
         let left_out = format!("a = {text}\nreturn LaunchDescription([\n  # a,\n])\n");
         check_spawned("/ws/a.launch.py", &left_out, &[]);
+        let handed_on =
+            format!("a = {text}\nb = RegisterEventHandler([a])\nreturn LaunchDescription([b])\n");
+        check_spawned("/ws/a.launch.py", &handed_on, &["a_controller"]);
+        let by_nothing = handed_on.replace("[b]", "[]");
+        check_spawned("/ws/a.launch.py", &by_nothing, &[]);
     }
 
     #[test]

@@ -3,9 +3,9 @@
 use base::TextRange;
 
 use super::statements::{PythonKeyword, Statement};
+use super::unstarted::Assignment;
 use super::value::PythonValue;
 use super::{PythonFunction, PythonReader};
-use crate::callers::without_comments;
 
 impl<'s> PythonReader<'s> {
     pub(super) fn statement(&mut self, statement: &'s Statement) {
@@ -147,15 +147,16 @@ impl<'s> PythonReader<'s> {
             self.value_at(range);
             return;
         };
-        let started = (self.found.transforms.len(), self.found.spawners.len());
-        let value = self.value_at(TextRange::new(range.start + start as u32, range.end));
+        let whole = TextRange::new(range.start + start as u32, range.end);
+        let value = self.value_at(whole);
         // a type behind the name
         let target = target.split(':').next().unwrap_or(target).trim();
-        // what nothing hands on is not started
-        let now = (self.found.transforms.len(), self.found.spawners.len());
-        if now > started && self.is_never_read(target) {
-            self.found.transforms.truncate(started.0);
-            self.found.spawners.truncate(started.1);
+        if augmented.is_none() && is_name(target) {
+            self.assignments.push(Assignment {
+                name: target.to_owned(),
+                start: range.start + (code.len() - code.trim_start().len()) as u32,
+                value: whole,
+            });
         }
         if let Some(operator) = augmented {
             self.augment(target, operator, value);
@@ -175,15 +176,6 @@ impl<'s> PythonReader<'s> {
                 .into_iter()
                 .for_each(|target| self.bind(target, value.clone()));
         }
-    }
-
-    /// Whether the text has the name of a variable only once, where it is set.
-    fn is_never_read(&mut self, target: &str) -> bool {
-        if !self.spend(self.text.len() / BYTES_PER_STEP + 1) {
-            return false;
-        }
-        let text = without_comments(".py", self.text);
-        is_name(target) && words(&text).filter(|word| *word == target).count() == 1
     }
 
     fn bind(&mut self, target: &'s str, value: PythonValue) {
@@ -264,9 +256,6 @@ impl<'s> PythonReader<'s> {
         self.scopes.forget_aliases(name);
     }
 }
-
-/// How much of a text is read in the time of a step.
-const BYTES_PER_STEP: usize = 64;
 
 fn is_name(text: &str) -> bool {
     !text.is_empty() && text.chars().all(|c| c.is_alphanumeric() || c == '_')

@@ -10,6 +10,7 @@ mod expressions;
 mod methods;
 mod scope;
 mod statements;
+mod unstarted;
 mod value;
 
 use std::path::Path;
@@ -19,6 +20,7 @@ use base::{FastSet, TextRange};
 
 use self::scope::{VariableScopes, Variables, joined};
 use self::statements::{PythonKeyword, Statement, statements};
+use self::unstarted::{Assignment, leave_out};
 use self::value::PythonValue;
 use super::{CommandForm, LaunchCommand, LaunchFile, UnresolvedArgument};
 
@@ -39,12 +41,14 @@ pub(super) fn read(path: &Path, text: &str) -> LaunchFile {
         steps: LAUNCH_STEPS,
         depth: 0,
         base: 0,
+        assignments: Vec::new(),
         found: LaunchFile::of(path),
     };
     reader.scopes.enter(Variables::default(), 0);
     reader.block(&parsed);
     reader.run_deferred();
     reader.run_functions();
+    leave_out(&mut reader.found, text, &reader.assignments);
     reader.found
 }
 
@@ -86,6 +90,7 @@ struct PythonReader<'s> {
     depth: usize,
     /// Where the statement stands that is being read.
     base: u32,
+    assignments: Vec<Assignment>,
     found: LaunchFile,
 }
 
