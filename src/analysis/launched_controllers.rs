@@ -10,6 +10,7 @@ use base::Span;
 use packages::nearest;
 use project::SpannedName;
 use rules::{Finding, Severity, spawned_controller_not_found};
+use workspace::launch::SpawnedController;
 use workspace::{SpawnedControllers, has_name};
 
 /// A controller of a file of parameters, with its type, and where it stands.
@@ -35,24 +36,22 @@ fn unknown(session: &Session, spawned: &SpawnedControllers) -> Vec<Finding> {
     let Ok(text) = session.vfs.text(&spawned.file) else {
         return Vec::new();
     };
+    // nearly all names stand in some file, which need not be understood for it
+    let is_said = |name: &str| {
+        text.text.contains(&format!("{name}.type")) || is_in_some_file(session, spawned, name)
+    };
+    let unsaid = spawned.controllers.iter().filter(|one| !is_said(&one.name));
+    let unsaid: Vec<&SpawnedController> = unsaid.collect();
+    if unsaid.is_empty() {
+        return Vec::new();
+    }
     let known = controllers_for(session, &spawned.file, &text.text);
     let Some(first) = known.first() else {
         return Vec::new();
     };
-    let is_said = |name: &str| {
-        let own = [
-            format!("{name}:"),
-            format!("{name}.type"),
-            format!("{name}/type"),
-        ];
-        own.iter().any(|form| text.text.contains(form)) || is_in_some_file(session, spawned, name)
-    };
     let mut found = Vec::new();
-    for one in &spawned.controllers {
+    for one in unsaid {
         let name = one.name.as_str();
-        if known.iter().any(|known| known.name == name) || is_said(name) {
-            continue;
-        }
         let span = Span {
             file: session.vfs.file_id(&spawned.file),
             range: one.range,

@@ -41,11 +41,12 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             .iter()
             .filter(|command| command.is("position"))
         {
-            let severity = match stands_for_none(command) {
+            // most bounds fit, and nothing is asked about them
+            let severity = || match stands_for_none(command) {
                 true => Severity::Info,
                 false => *usual,
             };
-            check_command(cx, joint, command, (limits, severity), out);
+            check_command(cx, joint, command, (limits, &severity), out);
         }
     }
 }
@@ -55,7 +56,7 @@ fn check_command(
     cx: &DocumentCx<'_>,
     joint: &Joint,
     command: &Interface,
-    ((lower, upper), severity): ((f64, f64), Severity),
+    ((lower, upper), severity): ((f64, f64), &dyn Fn() -> Severity),
     out: &mut Sink<'_>,
 ) {
     for (name, limit) in [("min", lower), ("max", upper)] {
@@ -78,7 +79,7 @@ fn check_command(
         let (lower, upper) = (short(lower), short(upper));
         let report = out
             .report(value_place(cx.expansion, text), message)
-            .severity(severity)
+            .severity(severity())
             .help(format!("write a value from {lower} to {upper}"));
         rewrite(report, Safety::Unsafe, text, short(limit)).done();
     }

@@ -57,23 +57,19 @@ pub(super) fn leave_out(file: &mut LaunchFile, text: &str, assignments: &[Assign
 
 /// Where the names of variables stand in a text, outside of comments.
 fn places<'a>(text: &str, assignments: &'a [Assignment]) -> FastMap<&'a str, Vec<u32>> {
-    let mut found: FastMap<&str, Vec<u32>> = assignments
-        .iter()
-        .map(|one| (one.name.as_str(), Vec::new()))
-        .collect();
-    let mut start = 0;
-    for line in text.split_inclusive('\n') {
-        let code = line.split('#').next().unwrap_or(line);
-        let mut at = 0;
-        for word in code.split(|c: char| !(c.is_alphanumeric() || c == '_')) {
-            if let Some(places) = found.get_mut(word) {
-                places.push(start + at as u32);
-            }
-            let behind = at + word.len();
-            let sign = code.get(behind..).and_then(|rest| rest.chars().next());
-            at = behind + sign.map_or(0, char::len_utf8);
-        }
-        start += line.len() as u32;
+    let mut found: FastMap<&str, Vec<u32>> = FastMap::default();
+    let is_name = |c: char| c.is_alphanumeric() || c == '_';
+    for name in assignments.iter().map(|one| one.name.as_str()) {
+        found.entry(name).or_insert_with(|| {
+            let all = memchr::memmem::find_iter(text.as_bytes(), name.as_bytes());
+            let is_read = |at: &usize| {
+                let (before, rest) = text.split_at_checked(*at).unwrap_or_default();
+                let behind = rest.get(name.len()..).unwrap_or_default();
+                let line = before.rsplit('\n').next().unwrap_or_default();
+                !before.ends_with(is_name) && !behind.starts_with(is_name) && !line.contains('#')
+            };
+            all.filter(is_read).map(|at| at as u32).collect()
+        });
     }
     found
 }
