@@ -5,7 +5,7 @@ use super::super::context::DocumentCx;
 use super::super::grouping::Group;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::joined::{body_inertia, is_built_into_world, is_in_world, is_small_part};
+use super::joined::{body_inertia, is_built_into_world, is_in_world, is_joined, is_small_part};
 use super::moments::{Impossible, InertiaClass, inertia_tag, judged, verdict};
 use model::{Inertial, JointType, Link};
 
@@ -60,12 +60,13 @@ fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
     }
 }
 
-/// Whether a link is fixed to others with which it makes a possible body: simulators see that body alone.
+/// Whether a link is fixed to one with which it makes a possible body: simulators see that body alone.
 fn is_possible_with_others(cx: &DocumentCx<'_>, link: &Link) -> bool {
-    body_inertia(cx, link).is_some_and(|(_, entries)| match verdict(entries) {
-        InertiaClass::Definite([a, b, c]) => a + b >= c,
-        _ => false,
-    })
+    is_joined(cx, link)
+        && body_inertia(cx, link).is_some_and(|(_, entries)| match verdict(entries) {
+            InertiaClass::Definite([a, b, c]) => a + b >= c,
+            _ => false,
+        })
 }
 
 /// Whether the largest moment of a link is that of a motor about its own joint.
