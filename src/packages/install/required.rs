@@ -23,6 +23,9 @@ const MAKERS: [&str; 4] = [
     "add_custom_target",
 ];
 
+/// So many sources are looked for on the disk at each check, and compared with what the build makes.
+const MOST: usize = 500;
+
 /// What `file` only reads.
 const READS: [&str; 4] = ["GLOB", "GLOB_RECURSE", "READ", "STRINGS"];
 
@@ -58,7 +61,8 @@ pub(super) fn note(reader: &mut CMakeReader<'_>, command: &CMakeCommand, here: C
             reader.build.made.extend(path);
         }
     } else if reader.conditions == 0 {
-        let found = required(reader, command, here);
+        let room = MOST.saturating_sub(reader.build.required.len());
+        let found = required(reader, command, here).into_iter().take(room);
         reader.build.required.extend(found);
     }
 }

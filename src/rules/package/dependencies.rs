@@ -5,10 +5,23 @@ use std::sync::Arc;
 use super::super::context::RuleEnv;
 use super::manifest::Manifest;
 use base::FastSet;
-use expand::FileIdx;
+use expand::{Expansion, FileIdx};
+use packages::Package;
 
 /// Packages looked at to find what comes along with a package.
 const MOST_PACKAGES: usize = 100;
+
+/// The packages that the files of an expansion belong to.
+pub(super) fn packages_of(world: RuleEnv<'_>, expansion: &Expansion) -> Vec<Package> {
+    let sources = expansion.files.iter().map(|file| &file.source.path);
+    let mut packages: Vec<Package> = Vec::new();
+    for package in sources.filter_map(|path| world.packages.containing(path)) {
+        if packages.iter().all(|known| known.folder != package.folder) {
+            packages.push(package);
+        }
+    }
+    packages
+}
 
 /// That of the package around a file of the expansion; none when there is none that can be read.
 pub(super) fn manifest_around(world: RuleEnv<'_>, file: &Path) -> Option<Arc<Manifest>> {

@@ -5,7 +5,8 @@ use super::super::context::{DocumentCx, RuleEnv};
 use super::super::grouping::Group;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use base::{FastSet, Span};
+use super::dependencies::packages_of;
+use base::Span;
 use packages::{RequiredSource, nearest};
 
 pub(super) static RULE: Rule = Rule {
@@ -21,13 +22,8 @@ pub(super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    let sources = cx.expansion.files.iter().map(|file| &file.source.path);
-    let packages = sources.filter_map(|path| cx.world.packages.containing(path));
-    let mut seen = FastSet::default();
-    for package in packages {
-        if seen.insert(package.folder.clone()) {
-            check_package(cx.world, &package.folder, out);
-        }
+    for package in packages_of(cx.world, cx.expansion) {
+        check_package(cx.world, &package.folder, out);
     }
 }
 

@@ -2,7 +2,8 @@
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use base::{FastSet, Span};
+use super::dependencies::packages_of;
+use base::Span;
 
 pub(super) static RULE: Rule = Rule {
     code: "PKG008",
@@ -17,14 +18,8 @@ pub(super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    let sources = cx.expansion.files.iter().map(|file| &file.source.path);
-    let packages = sources.filter_map(|path| cx.world.packages.containing(path));
-    let mut seen = FastSet::default();
-    for package in packages {
+    for package in packages_of(cx.world, cx.expansion) {
         let path = package.folder.join("package.xml");
-        if !seen.insert(path.clone()) {
-            continue;
-        }
         let Ok(source) = cx.world.vfs.document(&path) else {
             continue;
         };
