@@ -389,3 +389,59 @@ fn many_names_that_resemble_none_are_of_another_robot() {
         "{found:?}"
     );
 }
+
+#[test]
+fn a_launch_file_that_names_a_missing_description_twice_has_one_wrong_path() {
+    let launch = "model = os.path.join(get_package_share_directory('arm'), 'urdf', 'arm.urdf')\n\
+                  given = DeclareLaunchArgument('model', default_value=model)\n\
+                  node = Node(parameters=[{'robot_description': Command(['xacro ', LaunchConfiguration('model')])}])\n\
+                  other = Node(parameters=[{'robot_description': Command(['xacro ', model])}])\n\
+                  start = LaunchDescription([given, node, other])\n";
+    let folder = Folder::of(&[
+        ("package.xml", "<package><name>arm</name></package>".into()),
+        ("launch/arm.launch.py", launch.into()),
+        ("urdf/other.urdf", robot(&["a"])),
+    ]);
+    let found = folder.json("check . --select launched-file-not-found --format json");
+    let places: Vec<_> = found
+        .iter()
+        .map(|finding| finding["places"].as_u64())
+        .collect();
+    assert_eq!(places, [Some(2)], "{found:?}");
+}
+
+#[test]
+fn a_few_impossible_tensors_are_grouped_by_their_numbers_and_many_by_file() {
+    let launch = "<param textfile='$(find arm)/urdf/a.urdf'/><node pkg='gazebo_ros'/>";
+    let of = |tensors: &[&str]| {
+        let links: String = tensors
+            .iter()
+            .enumerate()
+            .map(|(number, izz)| {
+                format!(
+                    "<link name='l{number}'><inertial><mass value='1'/>\
+                     <inertia ixx='0.1' ixy='0' ixz='0' iyy='0.1' iyz='0' izz='{izz}'/></inertial></link>\n"
+                )
+            })
+            .collect();
+        let joints: String = (1..tensors.len())
+            .map(|number| {
+                format!(
+                    "<joint name='j{number}' type='continuous'><parent link='l0'/><child link='l{number}'/></joint>\n"
+                )
+            })
+            .collect();
+        let folder = Folder::of(&[
+            ("package.xml", "<package><name>arm</name></package>".into()),
+            (
+                "urdf/a.urdf",
+                format!("<robot name='r'>\n{links}{joints}</robot>\n"),
+            ),
+            ("launch/arm.launch", launch.into()),
+        ]);
+        let check = "check . --select inertia-triangle-inequality --format json";
+        folder.json(check).len()
+    };
+    assert_eq!(of(&["1", "2"]), 2);
+    assert_eq!(of(&["1", "2", "3"]), 1);
+}

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use super::session::Session;
 use base::Span;
 use packages::nearest;
-use rules::{Finding, Severity, launched_file_not_found, launched_without_xacro};
+use rules::{Finding, Group, Severity, launched_file_not_found, launched_without_xacro};
 use workspace::{RobotCall, is_ignored_by_git};
 use xml::Document;
 
@@ -77,13 +77,15 @@ impl LaunchedDescriptions<'_> {
 
     /// Whether a program looks whether files exist, or writes some itself or by xacro.
     fn writes_descriptions(&self, program: &Path) -> bool {
-        const SIGNS: [&str; 6] = [
+        const SIGNS: [&str; 8] = [
             "exists(",
             "isfile(",
             "'w'",
             "\"w\"",
             "write_text(",
             "xacro -o",
+            "'-o'",
+            "\"-o\"",
         ];
         self.0
             .packages
@@ -105,6 +107,9 @@ impl LaunchedDescriptions<'_> {
         let near = self.similar_description(missing);
         let mut finding =
             launched_file_not_found(span, &missing.call.file.shown(), near.as_deref());
+        // a launch file that names it again, as the default of an argument, is right once the path is
+        let (caller, path) = (&missing.call.caller, missing.call.file.shown());
+        finding.group = Some(Group::Thing(format!("{}: {path}", caller.display()).into()));
         // they separate folders on Windows, where the file may be found
         let is_for_windows = missing.call.file.shown().contains('\\');
         // whoever uses the package makes it

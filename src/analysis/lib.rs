@@ -98,6 +98,8 @@ mod purpose_tests;
 #[cfg(test)]
 mod set_aside_tests;
 #[cfg(test)]
+mod shown_tests;
+#[cfg(test)]
 mod unused_parts_tests;
 #[cfg(test)]
 mod unused_settings_tests;

@@ -58,18 +58,20 @@ pub(super) fn settle_set_aside(
         lower_unused(session, &task.file, findings);
     }
     let is_impossible = |finding: &Finding| finding.rule == named::INERTIA_TRIANGLE_INEQUALITY;
-    lower_where(findings, is_impossible, || {
-        session
-            .callers
-            .never_refuse(&task.file)
-            .then_some(Severity::Warning)
+    let is_negative = |finding: &Finding| finding.rule == named::INERTIA_NOT_POSITIVE_DEFINITE;
+    lower_where(
+        findings,
+        |finding| is_impossible(finding) || is_negative(finding),
+        || {
+            session
+                .callers
+                .never_refuse(&task.file)
+                .then_some(Severity::Warning)
+        },
+    );
+    group_by_file(findings, |finding| {
+        finding.severity == Severity::Warning && is_impossible(finding)
     });
-    // the program that wrote one of them wrote all of them
-    let is_mild =
-        |finding: &&mut Finding| finding.severity == Severity::Warning && is_impossible(finding);
-    for finding in findings.iter_mut().filter(is_mild) {
-        finding.group = Some(Group::File);
-    }
     // Bullet computes inertia from the shapes unless it is told otherwise
     let about_bullet = |finding: &Finding| {
         let is_taken = is_before_declaration(finding)
@@ -109,6 +111,17 @@ pub(super) fn settle_set_aside(
         session
             .callers
             .load_in_matlab(&task.file)
+            .then_some(Severity::Info)
+    });
+    // Isaac Gym looks for meshes in the folders above too, and computes an inertia that is not there
+    let about_isaac = |finding: &Finding| {
+        finding.rule == named::MESH_NOT_FOUND && is_above(session, &task.file, finding)
+            || finding.rule == named::MISSING_ELEMENT && finding.message.contains("`inertia`")
+    };
+    lower_where(findings, about_isaac, || {
+        session
+            .callers
+            .load_in_isaac(&task.file)
             .then_some(Severity::Info)
     });
     let about_raisim = |finding: &Finding| {
@@ -167,6 +180,20 @@ pub(super) fn settle_set_aside(
     settle_by_use(session, task, findings);
     settle_by_purpose(session, &task.file, (expansion, robot), findings);
     settle_outside_packages(session, &task.file, findings);
+}
+
+/// Make one finding of those in a file: the program that wrote one of them wrote all of them. A few may be copies.
+fn group_by_file(findings: &mut [Finding], is_it: impl Fn(&Finding) -> bool) {
+    let mut count: FastMap<FileId, usize> = FastMap::default();
+    for finding in findings.iter().filter(|finding| is_it(finding)) {
+        *count.entry(finding.span.file).or_default() += 1;
+    }
+    let is_habit = |finding: &&mut Finding| {
+        is_it(finding) && count.get(&finding.span.file) >= Some(&Group::File.least())
+    };
+    for finding in findings.iter_mut().filter(is_habit) {
+        finding.group = Some(Group::File);
+    }
 }
 
 /// Whether a file is plain URDF and nothing that names it runs xacro.

@@ -281,7 +281,7 @@ fn robots_that_are_only_shown() {
     let shows = "<param textfile='$(find arm)/urdf/view.urdf'/><node pkg='rviz'/>";
     let simulates = "<param textfile='$(find arm)/urdf/arm.urdf'/><include file='$(find gazebo_ros)/x.launch'/>";
     assert_eq!(severity(shows, simulates), Severity::Info);
-    assert_eq!(severity(shows, ""), Severity::Error);
+    assert_eq!(severity(shows, ""), Severity::Warning);
     assert_eq!(
         severity(shows, &simulates.replace("arm.urdf", "view.urdf")),
         Severity::Warning

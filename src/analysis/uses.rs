@@ -145,7 +145,7 @@ pub(super) fn settle_by_purpose(
     let is_for_gazebo = robot.is_some_and(|robot| runs_in_gazebo(&expansion.tree, robot))
         || files.any(|part| session.callers.is_for_gazebo(part));
     let is_shown = purpose.is_loaded && !purpose.is_weighed;
-    if is_for_gazebo && is_shown && simulate_the_source(session, file) {
+    if is_for_gazebo && is_shown && simulate_a_twin(session, file) {
         let for_gazebo = |finding: &Finding| finding.rule.has(Trait::Gazebo);
         lower_where(findings, for_gazebo, || Some(Severity::Info));
     } else if is_for_gazebo {
@@ -201,27 +201,17 @@ fn purpose(session: &Session, file: &Path) -> Option<Purpose> {
     Some(purpose)
 }
 
-/// Whether a file is plain URDF, and a simulator gets the same robot from a xacro file of its package.
-fn simulate_the_source(session: &Session, file: &Path) -> bool {
-    let has_ending = |file: &Path, ending: &str| file.extension().is_some_and(|own| own == ending);
-    let Some(package) = session
-        .packages
-        .containing(file)
-        .filter(|_| has_ending(file, "urdf"))
-    else {
-        return false;
-    };
+/// Whether a simulator gets the same robot from another file: by its name, that is a copy, or what a plain URDF was made of.
+fn simulate_a_twin(session: &Session, file: &Path) -> bool {
     let Some(name) = robot_name(session, file) else {
         return false;
     };
     let all = session.callers.descriptions(file);
-    let mut sources = all.iter().filter(|other| {
-        has_ending(other, "xacro")
-            && other.starts_with(&package.folder)
-            && robot_name(session, other).as_deref() == Some(&*name)
-    });
-    sources.any(|source| {
-        let purpose = purpose(session, source);
+    let mut twins = all
+        .iter()
+        .filter(|other| *other != file && robot_name(session, other).as_deref() == Some(&*name));
+    twins.any(|twin| {
+        let purpose = purpose(session, twin);
         purpose.is_some_and(|purpose| purpose.is_loaded && purpose.is_weighed)
     })
 }

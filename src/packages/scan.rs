@@ -45,20 +45,21 @@ impl Rules {
 #[derive(Debug, Default)]
 pub(super) struct PackageTree {
     packages: Vec<(String, PathBuf)>,
-    by_name: FastMap<String, Vec<PathBuf>>,
+    /// The folders of the packages of a name, each with whether it lies in another package: build tools do not find it there.
+    by_name: FastMap<String, Vec<(PathBuf, bool)>>,
     unlisted: Vec<PathBuf>,
 }
 
 impl PackageTree {
-    /// The package of that name. Of several, as in a folder with several workspaces, the one that shares most folders with
-    /// `from`, and of those the first.
+    /// The package of that name. Of several, as in a folder with several workspaces, one that lies in no other package, of those the
+    /// one that shares most folders with `from`, and of those the first.
     pub(super) fn get(&self, name: &str, from: &Path) -> Option<&Path> {
         let folders = self.by_name.get(name)?;
-        let best = folders.iter().rev().max_by_key(|folder| {
+        let best = folders.iter().rev().max_by_key(|(folder, is_inside)| {
             let pairs = folder.components().zip(from.components());
-            pairs.take_while(|(a, b)| a == b).count()
+            (!is_inside, pairs.take_while(|(a, b)| a == b).count())
         })?;
-        Some(best)
+        Some(&best.0)
     }
 
     /// Folders that have no manifest and may be packages all the same: see [`super::packages::Packages::find`].
@@ -84,8 +85,8 @@ pub(super) fn scan(vfs: &Vfs, top: &Path, rules: Rules) -> PackageTree {
             .skip(1)
             .filter_map(|folder| vfs.identity(folder)),
     );
-    let mut queue = VecDeque::from([(top.to_owned(), 0)]);
-    while let Some((folder, depth)) = queue.pop_front() {
+    let mut queue = VecDeque::from([(top.to_owned(), 0, false)]);
+    while let Some((folder, depth, is_inside)) = queue.pop_front() {
         let is_new = vfs
             .identity(&folder)
             .is_some_and(|identity| seen.insert(identity));
@@ -107,7 +108,7 @@ pub(super) fn scan(vfs: &Vfs, top: &Path, rules: Rules) -> PackageTree {
             tree.by_name
                 .entry(name.clone())
                 .or_default()
-                .push(folder.clone());
+                .push((folder.clone(), is_inside));
             tree.packages.push((name, folder.clone()));
         } else if names.iter().any(|entry| entry.name == BUILD_FILES[0]) {
             tree.unlisted.push(folder.clone());
@@ -118,7 +119,8 @@ pub(super) fn scan(vfs: &Vfs, top: &Path, rules: Rules) -> PackageTree {
             let folders = names
                 .iter()
                 .filter(|entry| entry.is_dir && rules.descends_into(&entry.name));
-            queue.extend(folders.map(|entry| (folder.join(&entry.name), depth + 1)));
+            let is_inside = is_inside || is_package;
+            queue.extend(folders.map(|entry| (folder.join(&entry.name), depth + 1, is_inside)));
         }
     }
     tree
@@ -243,5 +245,18 @@ mod tests {
             ("p_name".to_owned(), tree.path("ws/z")),
         ];
         assert_eq!(result.packages(), expected);
+    }
+
+    #[test]
+    fn of_one_name_none_that_lies_in_another_package() {
+        let tree = testing::Tree::new();
+        for folder in ["cell", "cell/old/arm", "lib/arm"] {
+            let name = folder.rsplit('/').next().unwrap_or(folder);
+            let manifest = format!("<package><name>{name}</name></package>");
+            tree.write(&format!("{folder}/package.xml"), &manifest);
+        }
+        let found = scan(tree.vfs(), tree.root(), Rules::Workspace);
+        let from = tree.path("cell/urdf/r.xacro");
+        assert_eq!(found.get("arm", &from), Some(&*tree.path("lib/arm")));
     }
 }

@@ -185,6 +185,17 @@ pub(super) struct AllElements {
     pub(super) axis_lengths: OnceCell<Vec<f64>>,
     /// The limits of joints along a line, meters, as bits.
     pub(super) sliding_ranges: OnceCell<FastSet<[u64; 2]>>,
+    /// How the drives of Gazebo move wheels.
+    drives: OnceCell<Drives>,
+}
+
+/// How the plugins of Gazebo for drives move wheels.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Drives {
+    /// The torque of the weakest one that is given one, newton meters.
+    pub(super) torque: Option<f64>,
+    /// Whether one sets the speed of its wheels, whatever torque that takes.
+    pub(super) sets_speed: bool,
 }
 
 impl<'a> DocumentCx<'a> {
@@ -300,6 +311,12 @@ impl<'a> DocumentCx<'a> {
             .contains(&(link, setting))
     }
 
+    /// How the plugins of Gazebo for drives move wheels.
+    pub(super) fn drives(&self) -> Drives {
+        let drives = || Drives::of(self.expansion, self.robot);
+        *self.all().drives.get_or_init(drives)
+    }
+
     /// The joints of the document.
     pub fn joints(&self) -> &'a SharedList<Joint> {
         static NONE: SharedList<Joint> = SharedList::new();
@@ -319,6 +336,35 @@ impl<'a> DocumentCx<'a> {
     /// a macro that nothing calls, blocks and conditions are not known.
     pub fn whole(&self) -> bool {
         self.complete && self.expansion.tree.root() == Some(self.element)
+    }
+}
+
+impl Drives {
+    /// A plugin reads one of the names that the torque had in different releases: the greatest counts.
+    fn of(expansion: &Expansion, robot: Option<&Robot>) -> Self {
+        const TORQUES: [&str; 3] = ["torque", "wheelTorque", "max_wheel_torque"];
+        let tree = &expansion.tree;
+        let is = |id: XId, names: &[&str]| names.contains(&tree.get(id).text.as_str());
+        let blocks = robot.into_iter().flat_map(|robot| &robot.gazebo);
+        let plugins = blocks
+            .flat_map(|block| tree.elements(block.element))
+            .filter(|&child| is(child, &["plugin"]));
+        let mut found = Self::default();
+        for plugin in plugins {
+            let library = tree
+                .attr(plugin, "filename")
+                .map(|file| file.value.as_str());
+            found.sets_speed |= library.is_some_and(|library| library.contains("-drive-system"));
+            let settings = tree.elements(plugin).filter(|&child| is(child, &TORQUES));
+            let torque = settings
+                .filter_map(|setting| AttrValue::content(tree, setting)?.number())
+                .reduce(f64::max);
+            found.torque = [found.torque, torque]
+                .into_iter()
+                .flatten()
+                .reduce(f64::min);
+        }
+        found
     }
 }
 

@@ -33,6 +33,10 @@ pub const BINARY_STL_SOLID_HEADER: &Rule = &geometry::binary_stl_solid_header::R
 pub const UNDEFINED_MATERIAL: &Rule = &geometry::undefined_material::RULE;
 /// `unknown-geometry-type`
 pub const UNKNOWN_GEOMETRY_TYPE: &Rule = &geometry::unknown_geometry_type::RULE;
+/// `inertia-not-positive-definite`
+pub const INERTIA_NOT_POSITIVE_DEFINITE: &Rule = &inertia::inertia_not_positive_definite::RULE;
+/// `missing-element`
+pub const MISSING_ELEMENT: &Rule = &xml::missing_element::RULE;
 /// `inertia-triangle-inequality`
 pub const INERTIA_TRIANGLE_INEQUALITY: &Rule = &inertia::inertia_triangle_inequality::RULE;
 /// `missing-joint-limit`

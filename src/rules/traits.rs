@@ -64,15 +64,16 @@ static CONTACT: [&Rule; 2] = [
     &geometry::mesh_inconsistent_normals::RULE,
 ];
 
-static SIMULATION: [&Rule; 5] = [
+static SIMULATION: [&Rule; 6] = [
     &control::gazebo_link_settings_on_joint::RULE,
     &control::gazebo_unknown_reference::RULE,
     &control::plugin_unknown_frame::RULE,
     &control::sdf_surface::RULE,
+    &control::unknown_plugin_parameter::RULE,
     &joint::mimic_range_exceeds_limits::RULE,
 ];
 
-static GAZEBO: [&Rule; 8] = [
+static GAZEBO: [&Rule; 9] = [
     &control::gazebo_link_settings_on_joint::RULE,
     &control::sdf_surface::RULE,
     &control::gazebo_unknown_reference::RULE,
@@ -81,6 +82,7 @@ static GAZEBO: [&Rule; 8] = [
     &control::plugin_unknown_joint::RULE,
     &control::plugin_wheel_mismatch::RULE,
     &control::plugin_wheels_exchanged::RULE,
+    &control::unknown_plugin_parameter::RULE,
 ];
 
 static GAZEBO_CLASSIC: [&Rule; 2] = [

@@ -17,6 +17,7 @@ mod hardware;
 mod joints;
 mod misspelled_plugin;
 pub(super) mod plugin_file_not_found;
+mod plugin_parameters;
 pub(super) mod plugin_unknown_frame;
 pub(super) mod plugin_unknown_joint;
 pub(super) mod plugin_wheel_mismatch;
@@ -44,6 +45,7 @@ pub(super) mod transmission_missing_hardware_interface;
 pub(super) mod transmission_unknown_joint;
 pub(super) mod transmission_unknown_type;
 mod transmissions;
+pub(super) mod unknown_plugin_parameter;
 mod wheel_sizes;
 
 use super::rule::Rule;
@@ -91,4 +93,5 @@ pub(super) static RULES: &[&Rule] = &[
     &plugin_wheels_exchanged::RULE,
     &controller_wheels_exchanged::RULE,
     &ros2_control_plugin_mismatch::RULE,
+    &unknown_plugin_parameter::RULE,
 ];

@@ -43,6 +43,18 @@ fn is_default((name, new): (&str, &str), value: &str, has_namespace: bool) -> bo
     }
 }
 
+/// Whether a plugin is in a sensor of this name, which is that of the camera without a parameter.
+///
+/// Source: `gazebo_ros_camera.cpp` of ROS 2.
+fn is_sensor(tree: &XTree, plugin: XId, name: &str) -> bool {
+    let sensor = tree
+        .parent(plugin)
+        .filter(|&around| tree.get(around).text == "sensor");
+    sensor
+        .and_then(|sensor| tree.attr(sensor, "name"))
+        .is_some_and(|own| own.value == name)
+}
+
 /// Whether the frame that drives take without a parameter is the root of the robot: another one would get a second parent.
 fn has_default_base(cx: &DocumentCx<'_>, new: &str) -> bool {
     /// Source: `gazebo_ros_diff_drive` and `gazebo_ros_planar_move` of ROS 2.
@@ -79,7 +91,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             let new = renamed(&library.value, name)?;
             let value = AttrValue::content(tree, parameter);
             let value = value.as_ref().map_or("", |value| value.value.trim());
-            let is_default = is_default((name, new), value, is_named);
+            let is_default = is_default((name, new), value, is_named)
+                || name == "cameraName" && is_sensor(tree, plugin, value);
             let is_needless = is_default || has_default_base(cx, new);
             (!is_needless && !is_there(tree, plugin, new)).then_some((parameter, name, new))
         });

@@ -5,7 +5,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::super::vocabulary::SDF_SURFACE;
 use expand::{XId, XKind, XTree};
-use model::{AttrValue, JointType, Link, tag_start};
+use model::{AttrValue, Body, JointType, Link, tag_start};
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "CTL035",
@@ -76,10 +76,24 @@ fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
         );
         out.report(tag_start(cx.expansion, surface), message)
             .severity(severity)
-            .group(Group::File)
+            // one element for Gazebo sets it for all bodies of a link
+            .group(if is_repeated(link, tree) {
+                Group::Thing(format!("surface of {}", link.shown()).into())
+            } else {
+                Group::File
+            })
             .help(help(link, &settings))
             .done();
     }
+}
+
+/// Whether several collisions of a link have a surface.
+fn is_repeated(link: &Link, tree: &XTree) -> bool {
+    let has_surface = |body: &&Body| {
+        let mut inside = tree.elements(body.element).take(MOST_ELEMENTS);
+        inside.any(|child| tree.get(child).text == SDF_SURFACE)
+    };
+    link.collisions.iter().filter(has_surface).nth(1).is_some()
 }
 
 /// Whether a surface has less friction than others. Of two bodies that touch each other, Gazebo takes the smaller friction, so more

@@ -97,3 +97,10 @@ pub(in super::super) fn is_replaceable(text: &AttrValue, content: &str) -> bool 
 fn is_plain(text: &str) -> bool {
     !text.contains(['&', '<', '"', '\'', '$'])
 }
+
+/// Whether a mesh file has a format that holds colors.
+pub(super) fn holds_colors(file: &str) -> bool {
+    const FORMATS: [&str; 4] = [".dae", ".glb", ".gltf", ".obj"];
+    let name = file.trim().to_lowercase();
+    FORMATS.iter().any(|ending| name.ends_with(ending))
+}

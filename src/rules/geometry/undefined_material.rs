@@ -9,9 +9,9 @@ use super::super::finding::Help;
 use super::super::grouping::Group;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use super::shapes::{is_defined, is_replaceable, mesh_file, visual_materials};
+use super::shapes::{holds_colors, is_defined, is_replaceable, mesh_file, visual_materials};
 use base::FastSet;
-use model::{AttrValue, Body, Link, Material};
+use model::{Body, Link, Material};
 use packages::Suggestions;
 
 pub(in super::super) static RULE: Rule = Rule {
@@ -68,9 +68,16 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
                 let report = report.help(Help::did_you_mean(near));
                 report.replace_with(Safety::Unsafe, format!("rename to `{near}`"), near).done();
             }
-            None => report.severity(if is_on_colored_mesh(link, material) { Severity::Info } else { RULE.severity }).help(format!("add <material name=\"{name}\"><color rgba=\"...\"/></material> to <robot>, or a <color> here")).done(),
+            None => report.severity(if is_on_colored_mesh(link, material) || is_default(name) { Severity::Info } else { RULE.severity }).help(format!("add <material name=\"{name}\"><color rgba=\"...\"/></material> to <robot>, or a <color> here")).done(),
         }
     }
+}
+
+/// Whether a name means the color that RViz gives a part without a material.
+///
+/// Source: `RVIZ/ShadedRed` in `robot_link.cpp` of rviz and rviz_default_plugins.
+const fn is_default(name: &str) -> bool {
+    name.eq_ignore_ascii_case("red")
 }
 
 /// Where the materials of a robot would be defined, for all of its package.
@@ -87,11 +94,6 @@ fn place_of_definitions(cx: &RobotCx<'_>) -> EcoString {
 
 /// Whether a material is that of a mesh in a format that holds colors of its own: these are shown without it.
 fn is_on_colored_mesh(link: &Link, material: &Material) -> bool {
-    const FORMATS: [&str; 4] = [".dae", ".glb", ".gltf", ".obj"];
-    let is_colored = |file: &AttrValue| {
-        let name = file.value.trim().to_lowercase();
-        FORMATS.iter().any(|ending| name.ends_with(ending))
-    };
     let is_its = |body: &&Body| {
         body.material
             .as_ref()
@@ -106,5 +108,5 @@ fn is_on_colored_mesh(link: &Link, material: &Material) -> bool {
         .into_iter()
         .flat_map(|shapes| &shapes.shapes)
         .filter_map(mesh_file);
-    files.next().is_some_and(is_colored)
+    files.next().is_some_and(|file| holds_colors(&file.value))
 }

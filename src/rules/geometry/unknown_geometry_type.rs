@@ -2,8 +2,9 @@
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::shapes::bodies;
-use model::{Link, ShapeKind, Version, tag_start};
+use super::shapes::{bodies, holds_colors, mesh_file};
+use expand::XId;
+use model::{AttrValue, Body, Link, ShapeKind, Version, tag_start};
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "GEO016",
@@ -18,7 +19,7 @@ pub(in super::super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
-    for (body, _) in bodies(link) {
+    for (body, is_collision) in bodies(link) {
         let shapes = body.geometry.iter().flat_map(|geometry| &geometry.shapes);
         let mut is_first = true;
         for shape in shapes {
@@ -61,7 +62,9 @@ fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
             let root = cx.expansion.files.first().map(|file| &*file.source.path);
             let in_package = root.is_some_and(|root| cx.world.packages.containing(root).is_some());
             let is_meant = is_of_simulators && !in_package;
-            let severity = match (is_meant, is_passed_over) {
+            let is_idle = is_meant
+                || is_passed_over && is_idle(cx, shape.element, is_collision || is_colored(body));
+            let severity = match (is_idle, is_passed_over) {
                 (true, _) => Severity::Info,
                 (false, true) => Severity::Warning,
                 (false, false) => RULE.severity,
@@ -71,5 +74,26 @@ fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
                 .help(help)
                 .done();
         }
+    }
+}
+
+/// Whether the first shape of a body is a mesh in a format that holds colors of its own.
+fn is_colored(body: &Body) -> bool {
+    body.shape()
+        .and_then(mesh_file)
+        .is_some_and(|file| holds_colors(&file.value))
+}
+
+/// Whether an element beside the shape would do nothing in its right place either: a pose that moves nothing, or the color of a
+/// body that nothing shows, or that has its own.
+fn is_idle(cx: &DocumentCx<'_>, element: XId, needs_no_color: bool) -> bool {
+    let tree = &cx.expansion.tree;
+    let mut vectors = ["xyz", "rpy"]
+        .into_iter()
+        .filter_map(|name| AttrValue::attr(tree, element, name));
+    match tree.get(element).text.as_str() {
+        "material" => needs_no_color,
+        "origin" => vectors.all(|text| text.numbers() == Some([0.0; 3])),
+        _ => false,
     }
 }

@@ -55,10 +55,11 @@ fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
             return;
         }
         None if !is_far => return,
+        // what never moves has no use for it
+        Some(_) if is_in_world(cx, link) => Severity::Info,
         Some(bounds)
             if !is_far
                 && (is_beside(bounds, center)
-                    || is_in_world(cx, link)
                     || inertial
                         .mass()
                         .is_some_and(|mass| is_small_part(cx, link, mass))

@@ -2,8 +2,8 @@
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::joined::is_joined;
-use super::moments::{InertiaClass, NEGLIGIBLE_MASS, inertia_tag, judged};
+use super::joined::{body_inertia, is_joined};
+use super::moments::{InertiaClass, NEGLIGIBLE_MASS, inertia_tag, judged, verdict};
 use model::Link;
 
 pub(in super::super) static RULE: Rule = Rule {
@@ -29,7 +29,7 @@ fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
         Some(InertiaClass::Negative) => (Severity::Error, "has a negative principal moment"),
         Some(InertiaClass::Singular) => {
             // simulators add the inertia of a link that is fixed to that of its parent
-            let severity = if is_joined(cx, link) {
+            let severity = if is_joined(cx, link) || is_definite_with_others(cx, link) {
                 Severity::Info
             } else {
                 Severity::Warning
@@ -43,4 +43,10 @@ fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
         .severity(severity)
         .help("check the signs of ixy, ixz and iyz and the frame of the inertia")
         .done();
+}
+
+/// Whether a link makes a body with moments above zero with what is fixed to it.
+fn is_definite_with_others(cx: &DocumentCx<'_>, link: &Link) -> bool {
+    body_inertia(cx, link)
+        .is_some_and(|(_, entries)| matches!(verdict(entries), InertiaClass::Definite(_)))
 }

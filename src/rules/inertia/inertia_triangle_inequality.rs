@@ -5,7 +5,7 @@ use super::super::context::DocumentCx;
 use super::super::grouping::Group;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::joined::{body_inertia, is_built_into_world, is_in_world, is_joined, is_small_part};
+use super::joined::{body_inertia, is_built_into_world, is_in_world, is_small_part};
 use super::moments::{Impossible, InertiaClass, inertia_tag, judged, verdict};
 use model::{Inertial, JointType, Link};
 
@@ -27,6 +27,9 @@ const ROTORS: usize = 3;
 /// Less than this part short may be rounding.
 const COARSE: f64 = 2e-2;
 
+/// What a moment is too large by is lost in this part of the least moment of the body that the link is a part of.
+const NEGLIGIBLE: f64 = 0.05;
+
 /// What the last digit of exporters that write six decimals stands for, kg m^2.
 const LAST_DIGIT: f64 = 1e-6;
 
@@ -41,7 +44,14 @@ fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
     // what never moves here may be a part that moves elsewhere
     let severity = if is_built_into_world(cx, link) || !is_error(cx, link, inertial) {
         Severity::Info
-    } else if is_in_world(cx, link) || is_possible_with_others(cx, link) {
+    } else if let Some([least, ..]) = possible_with_others(cx, link) {
+        let [a, b, c] = impossible.moments;
+        if c - a - b <= NEGLIGIBLE * least {
+            Severity::Info
+        } else {
+            Severity::Warning
+        }
+    } else if is_in_world(cx, link) {
         Severity::Warning
     } else {
         Severity::Error
@@ -60,13 +70,13 @@ fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
     }
 }
 
-/// Whether a link is fixed to one with which it makes a possible body: simulators see that body alone.
-fn is_possible_with_others(cx: &DocumentCx<'_>, link: &Link) -> bool {
-    is_joined(cx, link)
-        && body_inertia(cx, link).is_some_and(|(_, entries)| match verdict(entries) {
-            InertiaClass::Definite([a, b, c]) => a + b >= c,
-            _ => false,
-        })
+/// The moments of the possible body that a link makes with those that are fixed to it: simulators see that body alone.
+fn possible_with_others(cx: &DocumentCx<'_>, link: &Link) -> Option<[f64; 3]> {
+    let (_, entries) = body_inertia(cx, link)?;
+    match verdict(entries) {
+        InertiaClass::Definite([a, b, c]) if a + b >= c => Some([a, b, c]),
+        _ => None,
+    }
 }
 
 /// Whether the largest moment of a link is that of a motor about its own joint.

@@ -2,7 +2,7 @@
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use super::joined::is_joined;
+use super::joined::{body_inertia, is_joined};
 use super::moments::{InertiaClass, judged};
 use model::{Link, Robot, element_range};
 
@@ -37,8 +37,11 @@ fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
     let is_object = no_inertia && cx.robot.is_some_and(Robot::is_rigid);
     // simulators take the link for the world, and do not read it
     let is_world = link.shown() == "world" && cx.joints_above("world").next().is_none();
+    // what is fixed to it has the mass
+    let is_part =
+        || is_joined(cx, link) || body_inertia(cx, link).is_some_and(|(mass, _)| mass > 0.0);
     let harmless =
-        is_world || is_frame || is_object || no_inertia && !is_simulated(cx) || is_joined(cx, link);
+        is_world || is_frame || is_object || no_inertia && !is_simulated(cx) || is_part();
     let severity = if harmless {
         Severity::Info
     } else {

@@ -2,11 +2,8 @@
 use super::super::beside::{BesideCx, unknown};
 use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
-use base::FastSet;
-use ecow::EcoString;
 use model::AttrValue;
 use project::ProjectNameKind;
-use std::cell::OnceCell;
 
 pub(in super::super) static RULE: Rule = Rule::beside(
     "SRD002",
@@ -25,7 +22,6 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
         .flat_map(|pair| [&pair.link1, &pair.link2])
         .flatten()
         .collect();
-    let is_variant = OnceCell::new();
     for (text, kind, _) in srdf.names() {
         let Some(name) = text
             .name()
@@ -33,16 +29,12 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
         else {
             continue;
         };
-        // MoveIt warns, and passes over the pair: one for another variant of the robot, unless the name is misspelled
+        // MoveIt warns, and passes over the pair: the link was taken away, or is one of another variant of the robot
         let is_of_pair = of_pairs.iter().any(|link| std::ptr::eq(*link, text));
-        let severity = if !is_of_pair {
-            RULE.severity
-        } else if !cx.is_misspelled(kind, name)
-            && *is_variant.get_or_init(|| is_for_variants(cx, &of_pairs))
-        {
-            Severity::Info
-        } else {
-            Severity::Warning
+        let severity = match is_of_pair {
+            false => RULE.severity,
+            true if cx.is_misspelled(kind, name) => Severity::Warning,
+            true => Severity::Info,
         };
         unknown(
             cx,
@@ -52,17 +44,4 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
             format!("SRDF refers to unknown link `{name}`"),
         );
     }
-}
-
-/// Of the links in pairs, a part of a robot that another variant has is more than these; fewer were renamed or removed.
-const MOST_RENAMED: usize = 2;
-
-/// Whether the pairs are for several variants of the robot: they name many links that this one does not have.
-fn is_for_variants(cx: &BesideCx<'_>, of_pairs: &[&AttrValue]) -> bool {
-    let names: FastSet<&EcoString> = of_pairs.iter().filter_map(|text| text.name()).collect();
-    let unknown = names
-        .iter()
-        .filter(|name| cx.lacks(ProjectNameKind::Link, name))
-        .count();
-    unknown > MOST_RENAMED || unknown * 2 > names.len()
 }

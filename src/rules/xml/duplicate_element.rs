@@ -53,7 +53,13 @@ fn check(
         }
         if let Some(&earlier) = first.get(name) {
             let message = format!("{} has more than one `{name}`", walk::described(cx, id));
-            let equal = is_same(tree, earlier, child)
+            // a fixed joint has no use for them
+            let is_fixed = tree
+                .attr(id, "type")
+                .is_some_and(|kind| kind.value == "fixed");
+            let is_idle = is_fixed && ["axis", "dynamics", "limit"].contains(&name);
+            let equal = is_idle
+                || is_same(tree, earlier, child)
                 || name == "origin" && is_same_pose(tree, earlier, child);
             out.report(tag_start(cx.expansion, child), message)
                 .severity(if equal {
@@ -73,7 +79,7 @@ fn check(
 }
 
 /// Whether two elements say the same, comments and blanks left out.
-fn is_same(tree: &XTree, a: XId, b: XId) -> bool {
+pub(super) fn is_same(tree: &XTree, a: XId, b: XId) -> bool {
     words(tree, a).eq(words(tree, b))
 }
 

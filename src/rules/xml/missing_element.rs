@@ -9,7 +9,7 @@ use super::walk;
 use expand::{XId, XKind, XTree};
 use model::tag_start;
 
-pub(super) static RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "XML009",
     name: "missing-element",
     category: Category::Xml,

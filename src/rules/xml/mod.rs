@@ -5,7 +5,7 @@ pub(super) mod inconsistent_xacro_prefix;
 pub(super) mod invalid_number;
 mod meant;
 pub(super) mod missing_attribute;
-mod missing_element;
+pub(super) mod missing_element;
 pub(super) mod missing_robot_name;
 pub(super) mod missing_xacro_namespace;
 mod newer_than_version;

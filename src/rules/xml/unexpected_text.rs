@@ -63,6 +63,7 @@ fn report(cx: &DocumentCx<'_>, parent: XId, text: XId, out: &mut Sink<'_>) {
     // what other languages write in front of a comment
     let is_comment = ["#", "//"].iter().any(|start| shown.starts_with(start));
     let is_harmless = is_comment
+        || is_slip(&shown)
         || is_prose(cx, parent, &shown)
         || is_left_over(cx, text)
         || is_note(cx, parent, text);
@@ -74,6 +75,13 @@ fn report(cx: &DocumentCx<'_>, parent: XId, text: XId, out: &mut Sink<'_>) {
         })
         .help("remove it, or put it in a comment <!-- ... -->; parsers ignore it")
         .done();
+}
+
+/// Whether a text is a number or one character, typed by accident: neither markup nor a value is lost with it.
+fn is_slip(shown: &str) -> bool {
+    let is_of_markup = |c: char| matches!(c, '<' | '>' | '=' | '"' | '\'' | '{' | '}');
+    let is_one = shown.chars().nth(1).is_none() && !shown.contains(is_of_markup);
+    is_one || shown.parse::<f64>().is_ok()
 }
 
 /// Whether a text is words without the marks of a comment in a part of a robot, or one word or sign between parts of a robot or link:

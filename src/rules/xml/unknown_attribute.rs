@@ -142,13 +142,10 @@ fn report_several<'a>(
         "did you mean `{}`? Parsers silently ignore `{names}`",
         near.join("`, `")
     );
+    let is_idle = meant.iter().all(|(attr, near)| is_idle(cx, id, near, attr));
     let report = out
         .report(name_of(cx, first), message)
-        .severity(if is_needed {
-            Severity::Error
-        } else {
-            Severity::Warning
-        })
+        .severity(severity(is_needed, is_idle))
         .help(help);
     let places: Option<Vec<_>> = meant
         .iter()
@@ -216,12 +213,9 @@ fn report(
     match meant::of_attribute(spec.name, name, absent.iter().copied()) {
         Some((near, sure)) => {
             let safety = if sure { Safety::Safe } else { Safety::Unsafe };
+            let is_needed = is_needed(cx, id, spec, near);
             report
-                .severity(if is_needed(cx, id, spec, near) {
-                    Severity::Error
-                } else {
-                    Severity::Warning
-                })
+                .severity(severity(is_needed, is_idle(cx, id, near, attr)))
                 .help(Help::did_you_mean(near).and(&format!("Parsers silently ignore `{name}`")))
                 .replace_with(safety, format!("rename to `{near}`"), near)
                 .done();
@@ -264,6 +258,33 @@ fn is_needed(cx: &DocumentCx<'_>, id: XId, spec: &ElementSpec, name: &str) -> bo
                 .parent(id)
                 .and_then(|joint| tree.attr(joint, "type"))
                 .is_none_or(|kind| kind.value != "fixed")
+}
+
+/// How bad it is that an attribute is not read.
+const fn severity(is_needed: bool, is_idle: bool) -> Severity {
+    match (is_needed, is_idle) {
+        (true, _) => Severity::Error,
+        (false, true) => Severity::Info,
+        (false, false) => Severity::Warning,
+    }
+}
+
+/// Whether nothing would change if an attribute were read as the one that is meant: a joint of this type has no use for it, or it
+/// has the value that is taken without it.
+fn is_idle(cx: &DocumentCx<'_>, id: XId, meant: &str, attr: &XAttr) -> bool {
+    let tree = &cx.expansion.tree;
+    let kind = tree.parent(id).and_then(|joint| tree.attr(joint, "type"));
+    let is_unused = kind.is_some_and(|kind| match kind.value.as_str() {
+        "fixed" => ["axis", "limit", "dynamics"].contains(&tree.get(id).text.as_str()),
+        "continuous" => ["lower", "upper"].contains(&meant),
+        _ => false,
+    });
+    let is_default =
+        ["damping", "friction", "xyz", "rpy"].contains(&meant) && tree.get(id).text != "axis" && {
+            let mut numbers = attr.value.split_whitespace().map(str::parse::<f64>);
+            numbers.all(|number| number == Ok(0.0))
+        };
+    is_unused || is_default
 }
 
 /// Whether an attribute would scale nothing if it were read.

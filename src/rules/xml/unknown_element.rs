@@ -6,11 +6,12 @@ use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, pa
 use super::super::schema::{self, ElementSpec};
 use super::super::sink::Sink;
 use super::super::vocabulary::SDF_SURFACE;
+use super::duplicate_element::is_same;
 use super::missing_element::bare_shape;
 use super::seen::CheckedElement;
 use super::walk;
 use expand::XId;
-use model::{AttrValue, tag_start};
+use model::{AttrValue, Pose, tag_start, transform};
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "XML006",
@@ -50,9 +51,11 @@ fn check(cx: &DocumentCx<'_>, element: &CheckedElement, out: &mut Sink<'_>) {
     report(cx, id, parent, near, out);
 }
 
+/// What `dynamics` was called in the first years of URDF.
+const FORMER: &str = "joint_properties";
+
 /// What an element is called now that URDF called otherwise in its first years, unless nothing is lost without it.
 fn former(cx: &DocumentCx<'_>, id: XId, parent: &ElementSpec) -> Option<&'static str> {
-    const FORMER: &str = "joint_properties";
     const NOW: &str = "dynamics";
     let tree = &cx.expansion.tree;
     // an element may have a million others beside it
@@ -71,6 +74,19 @@ fn former(cx: &DocumentCx<'_>, id: XId, parent: &ElementSpec) -> Option<&'static
     let is_there = children.any(|child| tree.get(child).text == NOW);
     let is_lost = !is_fixed && !is_there && values.any(|text| text.number() != Some(0.0));
     is_lost.then_some(NOW)
+}
+
+/// Whether damping and friction would be more than a drive of the robot can move at one radian per second: it drives because they
+/// are ignored. One that sets the speed of its wheels does not feel them.
+fn holds_drive(cx: &DocumentCx<'_>, id: XId) -> bool {
+    let tree = &cx.expansion.tree;
+    let values = ["damping", "friction"].into_iter();
+    let values = values.filter_map(|name| AttrValue::attr(tree, id, name)?.number());
+    let resistance: f64 = values.sum();
+    let kind = tree.parent(id).and_then(|joint| tree.attr(joint, "type"));
+    let is_wheel = kind.is_some_and(|kind| kind.value == "continuous");
+    let drives = cx.drives();
+    drives.torque.is_some_and(|torque| torque < resistance) || is_wheel && drives.sets_speed
 }
 
 /// The shape without a geometry in an element that may hold many unknown ones.
@@ -115,13 +131,19 @@ fn report(
     let Some((near, sure)) = near else {
         let (severity, help) = unlike_all(name, parent);
         let is_idle = is_identity(cx, id, name) || is_bare(cx, id) || is_zero_pose(cx, id, name);
-        let severity = if is_idle { Severity::Hint } else { severity };
+        let severity = match severity {
+            _ if is_idle => Severity::Hint,
+            Severity::Warning if loses_nothing(cx, id, parent) => Severity::Info,
+            severity => severity,
+        };
         return report.severity(severity).help(help).done();
     };
     let severity = if is_needed(cx, id, parent, near) {
         Severity::Error
     } else if is_identity(cx, id, near) {
         Severity::Hint
+    } else if name == FORMER && holds_drive(cx, id) {
+        Severity::Info
     } else {
         Severity::Warning
     };
@@ -173,7 +195,8 @@ fn unlike_all(name: &str, parent: &ElementSpec) -> (Severity, String) {
         );
         return (Severity::Warning, help);
     }
-    if let Some(attribute) = parent.attribute(name) {
+    // the version of URDF is a number; others write that of their robot so
+    if let Some(attribute) = parent.attribute(name).filter(|_| name != "version") {
         let help = format!(
             "write {0}=\"...\" in <{1}>: `{0}` is an attribute, and parsers silently ignore the element",
             attribute.name, parent.name
@@ -212,6 +235,60 @@ fn is_bare(cx: &DocumentCx<'_>, id: XId) -> bool {
     tree.get(id).attrs.is_empty()
         && tree.elements(id).next().is_none()
         && AttrValue::content(tree, id).is_none_or(|text| text.value.trim().is_empty())
+}
+
+/// Whether an element of URDF has nothing to act on at its place: a color where no visual lacks one, what Gazebo is told of a link
+/// without any body, or a shape where none is.
+fn loses_nothing(cx: &DocumentCx<'_>, id: XId, parent: &ElementSpec) -> bool {
+    // a link may have a million of these
+    const MOST: usize = 100;
+    let tree = &cx.expansion.tree;
+    let Some(around) = tree.parent(id) else {
+        return false;
+    };
+    let bodies = |kinds: &'static [&'static str]| {
+        let children = tree.elements(around).take(MOST);
+        children.filter(|&child| kinds.contains(&tree.get(child).text.as_str()))
+    };
+    let has_color = |visual: XId| {
+        let mut children = tree.elements(visual).take(MOST);
+        children.any(|child| tree.get(child).text == "material")
+    };
+    match (tree.get(id).text.as_str(), parent.name) {
+        ("material", "joint") => true,
+        ("material", "link") => bodies(&["visual"]).all(has_color),
+        ("gazebo", "link") => bodies(&["visual", "collision", "inertial"])
+            .next()
+            .is_none(),
+        ("geometry", "inertial") => true,
+        // no program for ROS 2 reads it in its right place either
+        ("transmission", "joint") => is_for_ament(cx, id),
+        ("origin", "link") => is_pose_of_joint(cx, id, around),
+        ("collision" | "inertial" | "visual", "collision" | "visual") => {
+            let link = tree.parent(around);
+            let mut beside = link
+                .into_iter()
+                .flat_map(|link| tree.elements(link).take(MOST));
+            beside
+                .any(|other| tree.get(other).text == tree.get(id).text && is_same(tree, other, id))
+        }
+        _ => false,
+    }
+}
+
+/// Whether an element is in a file of a package for ROS 2.
+fn is_for_ament(cx: &DocumentCx<'_>, id: XId) -> bool {
+    let place = cx.expansion.place(cx.expansion.tree.get(id).origin);
+    let file = place.and_then(|place| cx.expansion.files.get(place.file));
+    file.is_some_and(|file| cx.world.packages.is_for_ament(&file.source.path))
+}
+
+/// Whether the `origin` of a link is that of the joint that carries it.
+fn is_pose_of_joint(cx: &DocumentCx<'_>, id: XId, link: XId) -> bool {
+    let name = cx.expansion.tree.attr(link, "name");
+    let joint = name.and_then(|name| cx.joint_above(&name.value));
+    let pose = Pose::of(&cx.expansion.tree, id).transform();
+    joint.is_some_and(|joint| pose.is_some() && pose == transform(joint.origin.as_ref()))
 }
 
 /// Whether an element is the pose of SDF and moves nothing.

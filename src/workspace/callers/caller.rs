@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use super::era::Era;
 use super::file_names::{self, name_of};
 use super::meant::may_mean;
+use super::uses::Uses;
 use base::FastMap;
 use packages::Packages;
 
@@ -26,6 +27,8 @@ pub struct Caller {
     pub(super) simulates: bool,
     /// Whether it loads files into Bullet.
     pub(super) is_bullet: bool,
+    /// Whether it loads files into Isaac Gym.
+    pub(super) is_isaac: bool,
     /// Whether it loads files into RaiSim.
     pub(super) is_raisim: bool,
     /// The arguments it gives, in order.
@@ -90,6 +93,16 @@ impl Caller {
         let says_more = |ending: &&String| !ending.is_empty() && !ending.starts_with('.');
         let mut endings = self.endings.iter().filter(says_more);
         endings.any(|ending| name_of(file).ends_with(ending.as_str()))
+    }
+
+    /// Whether the text names the end of the name of one description of a package alone.
+    pub(super) fn ends_for_one(&self, file: &Path, all: &Uses, packages: &Packages) -> bool {
+        self.ends(file)
+            && packages.containing(file).is_some_and(|package| {
+                let own = all.sorted.iter();
+                let mut own = own.filter(|other| other.starts_with(&package.folder));
+                own.all(|other| other == file || !self.ends(other))
+            })
     }
 
     /// Whether this is a file to be read, not run.

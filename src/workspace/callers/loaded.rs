@@ -67,6 +67,11 @@ impl Callers {
         self.load_in(file, |caller| caller.is_bullet)
     }
 
+    /// Whether programs load the description `file` into Isaac Gym, and no launch file does.
+    pub fn load_in_isaac(&self, file: &Path) -> bool {
+        self.load_in(file, |caller| caller.is_isaac)
+    }
+
     /// Whether programs load the description `file` into RaiSim, and no launch file does.
     pub fn load_in_raisim(&self, file: &Path) -> bool {
         self.load_in(file, |caller| caller.is_raisim && !caller.is_bullet)

@@ -42,6 +42,8 @@ pub(super) struct TextMentions {
     takes_yaml: bool,
     /// Whether a launch file or program plans or controls something, or simulates it.
     pub moves: bool,
+    /// Whether a launch file navigates, or reads the sensors of a real robot.
+    pub navigates: bool,
     /// Whether a launch file, a program or what configures them may publish the states of joints.
     publishes_states: bool,
     /// What texts that run something, and descriptions, say of programs, where they say something.
@@ -268,6 +270,7 @@ impl TextMentions {
         let may_start =
             !is_description && (name_of(path).contains("launch") || file_names::is_program(path));
         self.runs |= may_start;
+        self.navigates |= may_start && words.navigates();
         // the exporter writes it beside the other one
         let is_exported = words.is_exported() || name_of(path) == "display.launch";
         self.launches_more |= name_of(path).contains("launch") && !is_exported;
@@ -328,7 +331,12 @@ impl TextMentions {
     fn add_generation(&mut self, path: &Path, text: &str) {
         const PYTHON_2: [&str; 4] = ["python2", "from Tkinter ", "import Tkinter", "raw_input("];
         const OLD_GAZEBO: [&str; 2] = ["<sensor:", "<controller:"];
+        // programs that ROS Noetic has no more
+        const OLD_PROGRAMS: [&str; 2] = ["/xacro.py", "type=\"state_publisher\""];
+        let is_launch = path.extension().is_some_and(|ending| ending == "launch");
         let is_python = path.extension().is_some_and(|ending| ending == "py");
+        self.distributions.0 |=
+            is_launch && has_any(text, &OLD_PROGRAMS) || names_old_install(text);
         self.distributions.0 |= is_python && has_any(text, &PYTHON_2)
             || file_names::is_description(name_of(path)) && has_any(text, &OLD_GAZEBO);
         self.distributions.1 |= is_python && has_any(text, &["python3", "rclpy", "ament_"]);
@@ -345,11 +353,6 @@ impl TextMentions {
         }
     }
 
-    /// Whether a launch file or program needs masses, or a description is prepared for one that does.
-    pub fn needs_masses(&self) -> bool {
-        self.simulators().next().is_some()
-    }
-
     /// Whether a text needs the masses and inertia of descriptions, or is a description for Gazebo. MuJoCo and Isaac need them where
     /// they have no model of their own.
     pub fn weighs(&self, path: &Path) -> bool {
@@ -359,6 +362,11 @@ impl TextMentions {
         } else {
             words.weighs() || words.weighs_unless_own() && !self.has_own_model
         }
+    }
+
+    /// Whether a text is a launch file for Gazebo that an exporter of CAD programs wrote.
+    pub fn is_exported(&self, path: &Path) -> bool {
+        self.words(path).is_exported()
     }
 
     /// Whether a text computes with the triangles of collision meshes.
@@ -506,6 +514,12 @@ fn is_installed_for_old(file: &Path, packages: &Packages) -> bool {
         .filter(|file| installs(&file.text, &OLD) || installs(&file.text, &NEW))
         .peekable();
     texts.peek().is_some() && texts.all(|file| installs_old(&file.text))
+}
+
+/// Whether a text has a path into the installation of an old distribution.
+fn names_old_install(text: &str) -> bool {
+    let mut installs = text.split("/opt/ros/").skip(1);
+    installs.any(|rest| OLD.iter().any(|name| rest.starts_with(name)))
 }
 
 /// Whether a text installs or sets up an old distribution, and no newer one.

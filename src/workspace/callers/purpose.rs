@@ -109,10 +109,15 @@ impl Callers {
     pub fn purpose(&self, file: &Path, is_left_over: impl Fn(&Path) -> bool) -> Option<Purpose> {
         let mentions = self.mentions(file).filter(|mentions| mentions.is_whole)?;
         let mut purpose = Purpose {
-            is_applied: mentions.moves,
+            is_applied: mentions.moves || mentions.navigates,
             ..Purpose::default()
         };
         let mut open = self.loaders(file, &mentions);
+        // an exporter writes launch files beside each robot: where a program loads it, it is for that
+        let is_program =
+            |path: &PathBuf| file_names::is_program(path) && !file_names::is_launch(path);
+        let has_program = open.iter().any(is_program);
+        open.retain(|path| !(has_program && mentions.is_exported(path)));
         let mut seen: FastSet<PathBuf> = FastSet::default();
         while let Some(path) = open.pop() {
             let is_passed_over = !is_run(&path, &self.packages) || is_left_over(&path);
@@ -165,6 +170,7 @@ impl Callers {
             let is_another_named = is_another_named(&all, file, &self.packages);
             let loads = |caller: &&Caller| {
                 caller.ends_in_word(file)
+                    || caller.ends_for_one(file, &all, &self.packages)
                     || !is_another_named
                         && (caller.ends(file) || caller.is_open && caller.is_launch())
             };
@@ -276,11 +282,11 @@ impl Callers {
         seen
     }
 
-    /// Whether launch files and programs simulate what lies around a file, none of them with a simulator that refuses a tensor that no
-    /// body has.
+    /// Whether launch files and programs run what lies around a file, none of them with a simulator that refuses a tensor that no body
+    /// has.
     pub fn never_refuse(&self, file: &Path) -> bool {
         self.mentions(file)
-            .is_some_and(|all| all.is_whole && all.needs_masses() && all.runs && !all.refuses)
+            .is_some_and(|all| all.is_whole && all.runs && !all.refuses)
     }
 
     /// Whether a launch file starts the controllers or simulation of another description that is there, and none names this one.

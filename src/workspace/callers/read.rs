@@ -6,6 +6,7 @@ use std::path::Path;
 use super::caller::{Caller, GivenArg, NamePrefix};
 use super::config;
 use super::era::era;
+use super::file_names;
 use super::file_names::is_description;
 use super::text_words::TextWords;
 use crate::launch;
@@ -23,6 +24,9 @@ pub(super) fn caller(path: &Path, text: &str) -> Option<Caller> {
     let text = &*without_comments(name, text);
     let descriptions = descriptions(name, text);
     let mut endings = computed(text);
+    if file_names::is_launch(path) {
+        endings.extend(added(text));
+    }
     if ["py", "sh", "cpp"]
         .iter()
         .any(|ending| name.ends_with(ending))
@@ -60,6 +64,7 @@ pub(super) fn caller(path: &Path, text: &str) -> Option<Caller> {
         has_default: false,
         era: era(text),
         is_bullet: has_any(text, &["loadURDF(", "Bullet", "pybullet"]),
+        is_isaac: has_any(text, &["gymapi", "isaacgym", "legged_gym"]),
         is_raisim: has_any(text, &["addArticulatedSystem", "raisim"]),
         simulates: TextWords::is_about_simulation(text),
         args,
@@ -239,6 +244,21 @@ fn computed(text: &str) -> Vec<String> {
             .any(|call| text.contains(call))
     {
         found.push(String::new());
+    }
+    found
+}
+
+/// The endings that Python adds to names that it has: `MODEL + '.urdf'`.
+fn added(text: &str) -> Vec<String> {
+    let mut found = Vec::new();
+    for quote in ["+ '", "+ \"", "+'", "+\""] {
+        for (at, _) in text.match_indices(quote) {
+            let after = text.get(at + quote.len()..).unwrap_or("");
+            let ending = after.split(|c: char| !is_name(c)).next().unwrap_or("");
+            if ending.starts_with(['.', '_']) && is_description(ending) {
+                found.push(ending.to_owned());
+            }
+        }
     }
     found
 }

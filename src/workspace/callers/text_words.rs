@@ -39,9 +39,11 @@ const EXPORTED: u32 = 1 << 16;
 const STATES: u32 = 1 << 17;
 /// Something other than Gazebo moves joints: another simulator, a planner, controllers.
 const MOVES: u32 = 1 << 18;
+/// Something navigates, or reads a sensor of a real robot.
+const NAVIGATES: u32 = 1 << 19;
 
 /// The words, also as parts of others, and what each of them says.
-const WORDS: [(&str, u32); 66] = [
+const WORDS: [(&str, u32); 78] = [
     ("gazebo", MASSES | TRIANGLES | SIMULATES),
     ("gazebo_ros", CLASSIC),
     ("gzserver", CLASSIC),
@@ -107,6 +109,18 @@ const WORDS: [(&str, u32); 66] = [
     ("joint_state", STATES),
     ("joint-state", STATES),
     ("JointState", STATES),
+    ("amcl", NAVIGATES),
+    ("cartographer", NAVIGATES),
+    ("ldlidar", NAVIGATES),
+    ("micro_ros", NAVIGATES),
+    ("move_base", NAVIGATES),
+    ("nav2_", NAVIGATES),
+    ("realsense2_camera", NAVIGATES),
+    ("rosserial", NAVIGATES),
+    ("rplidar", NAVIGATES),
+    ("slam_toolbox", NAVIGATES),
+    ("usb_cam", NAVIGATES),
+    ("ydlidar", NAVIGATES),
     // drives of Gazebo that place wheels by themselves
     ("publish_wheel_tf", STATES),
     ("publishWheelTF", STATES),
@@ -162,6 +176,11 @@ impl TextWords {
     /// Whether a text runs something that simulates, plans or controls.
     pub const fn simulates(self) -> bool {
         self.has(SIMULATES)
+    }
+
+    /// Whether a text runs something that navigates, or reads a sensor of a real robot.
+    pub const fn navigates(self) -> bool {
+        self.has(NAVIGATES)
     }
 
     /// Whether a text runs a simulator that refuses a tensor that no body has, or is for one.
