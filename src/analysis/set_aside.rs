@@ -106,7 +106,9 @@ pub(super) fn settle_set_aside(
     lower_where(findings, is_piece, || {
         (!session.callers.load(&task.file)).then_some(Severity::Info)
     });
-    let is_mesh = |finding: &Finding| finding.rule == named::MESH_NOT_FOUND;
+    let is_mesh = |finding: &Finding| {
+        [named::MESH_NOT_FOUND, named::MISSING_XACRO_NAMESPACE].contains(&finding.rule)
+    };
     lower_where(findings, is_mesh, || {
         session
             .callers
@@ -118,6 +120,16 @@ pub(super) fn settle_set_aside(
         finding.rule == named::MESH_NOT_FOUND && is_above(session, &task.file, finding)
             || finding.rule == named::MISSING_ELEMENT && finding.message.contains("`inertia`")
     };
+    lower_where(
+        findings,
+        |finding| is_impossible(finding) || is_negative(finding),
+        || {
+            session
+                .callers
+                .load_in_isaac(&task.file)
+                .then_some(Severity::Warning)
+        },
+    );
     lower_where(findings, about_isaac, || {
         session
             .callers
@@ -131,6 +143,14 @@ pub(super) fn settle_set_aside(
         session
             .callers
             .load_in_raisim(&task.file)
+            .then_some(Severity::Info)
+    });
+    // tf before tf2 takes such names
+    let is_slashed = |finding: &Finding| finding.rule == named::LEADING_SLASH_NAME;
+    lower_where(findings, is_slashed, || {
+        session
+            .callers
+            .is_for_old_ros(&task.file)
             .then_some(Severity::Info)
     });
     // urdfdom and the readers that use it skip what is blank

@@ -103,6 +103,30 @@ fn what_isaac_gym_reads_otherwise() {
 }
 
 #[test]
+fn what_only_gazebo_reads_beside_isaac_gym() {
+    let robot = "<robot name='r'><link name='base'><gazebo><selfCollide>true</selfCollide></gazebo><visual><geometry>\
+                 <sphere radius='1'/></geometry></visual></link><gazebo><material>Gazebo/Red</material></gazebo></robot>";
+    let of = |rule: &str, launch: &str| {
+        let files = [
+            MANIFEST,
+            ("urdf/arm.urdf", robot),
+            (
+                "tasks/arm.py",
+                "from isaacgym import gymapi\nfile = 'urdf/arm.urdf'",
+            ),
+            ("launch/arm.launch", launch),
+        ];
+        severity(rule, &files)
+    };
+    let shows = "<param textfile='$(find arm)/urdf/arm.urdf'/><node pkg='rviz'/>";
+    let simulates = shows.replace("rviz", "gazebo_ros");
+    for rule in ["unknown-element", "gazebo-missing-reference"] {
+        assert_eq!(of(rule, shows), Some(Severity::Info), "{rule}");
+        assert_eq!(of(rule, &simulates), Some(Severity::Warning), "{rule}");
+    }
+}
+
+#[test]
 fn meshes_that_a_program_loads_beside_the_launch_file_of_an_exporter() {
     let exported = "<node pkg='gazebo_ros' type='spawn_model' args='-file $(find arm)/urdf/arm.urdf'/>\
                     <node name='fake_joint_calibration'/>";
@@ -143,4 +167,8 @@ fn tags_without_prefix_in_workspaces_of_an_old_distribution() {
     assert_eq!(of(("urdf/s.urdf", &newer)), Some(Severity::Error));
     let shows = "<node pkg=\"robot_state_publisher\" type=\"state_publisher\"/>";
     assert_eq!(of(("launch/show.launch", shows)), Some(Severity::Info));
+    let prints = "def show(pose):\n    print pose.x\n";
+    assert_eq!(of(("src/show.py", prints)), Some(Severity::Info));
+    let prints = prints.replace(" pose.x", "(pose.x)");
+    assert_eq!(of(("src/show.py", &prints)), Some(Severity::Error));
 }

@@ -45,6 +45,16 @@ pub(super) fn settle_by_use(session: &Session, task: &CheckTask, findings: &mut 
     lower_where(findings, is_of_classic, || {
         (!session.callers.run_gazebo_classic(file)).then_some(Severity::Info)
     });
+    let is_of_gazebo = |finding: &Finding| {
+        let is_inside = finding.message.starts_with("unknown element `gazebo`");
+        finding.rule.has(Trait::Gazebo) || finding.rule == named::UNKNOWN_ELEMENT && is_inside
+    };
+    lower_where(findings, is_of_gazebo, || {
+        session
+            .callers
+            .run_isaac_alone(file)
+            .then_some(Severity::Info)
+    });
     // what xacro made on another computer is often kept, and no simulator reads it
     let is_elsewhere = |finding: &Finding| {
         finding.rule == named::PLUGIN_FILE_NOT_FOUND && finding.message.starts_with("file `/")

@@ -35,6 +35,10 @@ pub const UNDEFINED_MATERIAL: &Rule = &geometry::undefined_material::RULE;
 pub const UNKNOWN_GEOMETRY_TYPE: &Rule = &geometry::unknown_geometry_type::RULE;
 /// `inertia-not-positive-definite`
 pub const INERTIA_NOT_POSITIVE_DEFINITE: &Rule = &inertia::inertia_not_positive_definite::RULE;
+/// `missing-xacro-namespace`
+pub const MISSING_XACRO_NAMESPACE: &Rule = &xml::missing_xacro_namespace::RULE;
+/// `leading-slash-name`
+pub const LEADING_SLASH_NAME: &Rule = &conventions::leading_slash_name::RULE;
 /// `missing-element`
 pub const MISSING_ELEMENT: &Rule = &xml::missing_element::RULE;
 /// `inertia-triangle-inequality`

@@ -73,8 +73,9 @@ static SIMULATION: [&Rule; 6] = [
     &joint::mimic_range_exceeds_limits::RULE,
 ];
 
-static GAZEBO: [&Rule; 9] = [
+static GAZEBO: [&Rule; 10] = [
     &control::gazebo_link_settings_on_joint::RULE,
+    &control::gazebo_missing_reference::RULE,
     &control::sdf_surface::RULE,
     &control::gazebo_unknown_reference::RULE,
     &control::plugin_file_not_found::RULE,

@@ -4,7 +4,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use model::tag_start;
 
-pub(super) static RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "CTL020",
     name: "gazebo-missing-reference",
     category: Category::Control,

@@ -9,7 +9,7 @@ pub(super) mod controller_without_parameters;
 mod gazebo_classic_plugin;
 pub(super) mod gazebo_link_settings_on_joint;
 mod gazebo_lumped_reference;
-mod gazebo_missing_reference;
+pub(super) mod gazebo_missing_reference;
 mod gazebo_plugin_missing_filename;
 mod gazebo_ros;
 pub(super) mod gazebo_unknown_reference;

@@ -7,7 +7,7 @@ use base::FastSet;
 use expand::{BindingId, BindingKind, Piece};
 use model::AttrValue;
 
-pub(super) static RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "CNV003",
     name: "leading-slash-name",
     category: Category::Conventions,

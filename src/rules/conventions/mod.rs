@@ -2,7 +2,7 @@
 
 pub(super) mod empty_name;
 pub(super) mod invalid_name;
-mod leading_slash_name;
+pub(super) mod leading_slash_name;
 mod link_naming;
 mod macro_file_emits;
 mod named_by;

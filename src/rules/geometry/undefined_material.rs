@@ -68,7 +68,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
                 let report = report.help(Help::did_you_mean(near));
                 report.replace_with(Safety::Unsafe, format!("rename to `{near}`"), near).done();
             }
-            None => report.severity(if is_on_colored_mesh(link, material) || is_default(name) { Severity::Info } else { RULE.severity }).help(format!("add <material name=\"{name}\"><color rgba=\"...\"/></material> to <robot>, or a <color> here")).done(),
+            None => report.severity(if is_on_colored_mesh(link, material) || is_default(name) || is_on_nothing(link, material) { Severity::Info } else { RULE.severity }).help(format!("add <material name=\"{name}\"><color rgba=\"...\"/></material> to <robot>, or a <color> here")).done(),
         }
     }
 }
@@ -78,6 +78,16 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
 /// Source: `RVIZ/ShadedRed` in `robot_link.cpp` of rviz and rviz_default_plugins.
 const fn is_default(name: &str) -> bool {
     name.eq_ignore_ascii_case("red")
+}
+
+/// Whether a material is that of a visual without any shape.
+fn is_on_nothing(link: &Link, material: &Material) -> bool {
+    let is_its = |body: &&Body| {
+        let own = body.material.as_ref();
+        own.is_some_and(|own| own.element == material.element)
+    };
+    let body = link.visuals.iter().find(is_its);
+    body.is_some_and(|body| body.shape().is_none())
 }
 
 /// Where the materials of a robot would be defined, for all of its package.

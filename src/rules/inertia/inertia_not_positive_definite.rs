@@ -26,7 +26,14 @@ fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
         return;
     }
     let (severity, message) = match judged(inertial).class {
-        Some(InertiaClass::Negative) => (Severity::Error, "has a negative principal moment"),
+        Some(InertiaClass::Negative) => {
+            let severity = if is_definite_with_others(cx, link) {
+                Severity::Warning
+            } else {
+                Severity::Error
+            };
+            (severity, "has a negative principal moment")
+        }
         Some(InertiaClass::Singular) => {
             // simulators add the inertia of a link that is fixed to that of its parent
             let severity = if is_joined(cx, link) || is_definite_with_others(cx, link) {

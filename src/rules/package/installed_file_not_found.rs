@@ -27,6 +27,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     }
 }
 
+/// A name for some file in a folder.
+const ANY: &str = "any";
+
 fn check_package(world: RuleEnv<'_>, folder: &Path, out: &mut Sink<'_>) {
     // any path in it
     let Some(build) = world.packages.build_around(&folder.join("package.xml")) else {
@@ -34,7 +37,10 @@ fn check_package(world: RuleEnv<'_>, folder: &Path, out: &mut Sink<'_>) {
     };
     for source in build.missing(world.vfs) {
         // a package for ROS 1 is used without being installed; what Git leaves out somebody makes
-        let breaks = build.is_ament && !world.packages.is_ignored_by_git(&source.path);
+        let is_ignored = |path: &Path| world.packages.is_ignored_by_git(path);
+        // a pattern such as `meshes/` matches what is in the folder
+        let is_left_out = is_ignored(&source.path) || is_ignored(&source.path.join(ANY));
+        let breaks = build.is_ament && !is_left_out;
         let what = if source.is_folder { "folder" } else { "file" };
         let span = Span {
             file: world.vfs.file_id(&source.file),

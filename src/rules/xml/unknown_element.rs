@@ -68,9 +68,7 @@ fn former(cx: &DocumentCx<'_>, id: XId, parent: &ElementSpec) -> Option<&'static
     let is_fixed = tree
         .attr(joint, "type")
         .is_some_and(|kind| kind.value == "fixed");
-    // an element may have a million of these
-    const MOST: usize = 100;
-    let mut children = tree.elements(joint).take(MOST);
+    let mut children = tree.elements(joint).take(MOST_CHILDREN);
     let is_there = children.any(|child| tree.get(child).text == NOW);
     let is_lost = !is_fixed && !is_there && values.any(|text| text.number() != Some(0.0));
     is_lost.then_some(NOW)
@@ -240,18 +238,16 @@ fn is_bare(cx: &DocumentCx<'_>, id: XId) -> bool {
 /// Whether an element of URDF has nothing to act on at its place: a color where no visual lacks one, what Gazebo is told of a link
 /// without any body, or a shape where none is.
 fn loses_nothing(cx: &DocumentCx<'_>, id: XId, parent: &ElementSpec) -> bool {
-    // a link may have a million of these
-    const MOST: usize = 100;
     let tree = &cx.expansion.tree;
     let Some(around) = tree.parent(id) else {
         return false;
     };
     let bodies = |kinds: &'static [&'static str]| {
-        let children = tree.elements(around).take(MOST);
+        let children = tree.elements(around).take(MOST_CHILDREN);
         children.filter(|&child| kinds.contains(&tree.get(child).text.as_str()))
     };
     let has_color = |visual: XId| {
-        let mut children = tree.elements(visual).take(MOST);
+        let mut children = tree.elements(visual).take(MOST_CHILDREN);
         children.any(|child| tree.get(child).text == "material")
     };
     match (tree.get(id).text.as_str(), parent.name) {
@@ -264,11 +260,12 @@ fn loses_nothing(cx: &DocumentCx<'_>, id: XId, parent: &ElementSpec) -> bool {
         // no program for ROS 2 reads it in its right place either
         ("transmission", "joint") => is_for_ament(cx, id),
         ("origin", "link") => is_pose_of_joint(cx, id, around),
+        ("link" | "joint", _) => is_elsewhere(cx, id),
         ("collision" | "inertial" | "visual", "collision" | "visual") => {
             let link = tree.parent(around);
             let mut beside = link
                 .into_iter()
-                .flat_map(|link| tree.elements(link).take(MOST));
+                .flat_map(|link| tree.elements(link).take(MOST_CHILDREN));
             beside
                 .any(|other| tree.get(other).text == tree.get(id).text && is_same(tree, other, id))
         }
@@ -281,6 +278,30 @@ fn is_for_ament(cx: &DocumentCx<'_>, id: XId) -> bool {
     let place = cx.expansion.place(cx.expansion.tree.get(id).origin);
     let file = place.and_then(|place| cx.expansion.files.get(place.file));
     file.is_some_and(|file| cx.world.packages.is_for_ament(&file.source.path))
+}
+
+/// An element may have a million others inside.
+const MOST_CHILDREN: usize = 100;
+
+/// Whether the robot has a link or joint of the same name in the right place.
+fn is_elsewhere(cx: &DocumentCx<'_>, id: XId) -> bool {
+    let tree = &cx.expansion.tree;
+    let Some(name) = tree.attr(id, "name").map(|name| name.value.as_str()) else {
+        return false;
+    };
+    match tree.get(id).text.as_str() {
+        "link" => cx.links_named(name).any(|link| link.element != id),
+        // there may be thousands of joints: those of its child
+        _ => {
+            let mut children = tree.elements(id).take(MOST_CHILDREN);
+            let child = children.find(|&child| tree.get(child).text == "child");
+            let link = child.and_then(|child| tree.attr(child, "link"));
+            link.is_some_and(|link| {
+                let mut same = cx.joints_above(&link.value);
+                same.any(|joint| joint.element != id && joint.shown() == name)
+            })
+        }
+    }
 }
 
 /// Whether the `origin` of a link is that of the joint that carries it.

@@ -67,9 +67,28 @@ impl Callers {
         self.load_in(file, |caller| caller.is_bullet)
     }
 
-    /// Whether programs load the description `file` into Isaac Gym, and no launch file does.
+    /// Whether a program loads the description `file` into Isaac Gym, or may do so with one in no package, and no launch file does.
     pub fn load_in_isaac(&self, file: &Path) -> bool {
-        self.load_in(file, |caller| caller.is_isaac)
+        let all = self.of(file);
+        let mut loaders = all.iter().filter(|caller| caller.says(file));
+        !loaders.clone().any(Caller::is_launch)
+            && (loaders.any(|caller| caller.is_isaac)
+                || self.packages.containing(file).is_none() && self.run_isaac(file))
+    }
+
+    /// Whether a program around a file runs Isaac Gym.
+    fn run_isaac(&self, file: &Path) -> bool {
+        self.around(file)
+            .is_some_and(|uses| uses.callers.iter().any(|caller| caller.is_isaac))
+    }
+
+    /// Whether programs around a file run Isaac Gym, and nothing there runs Gazebo.
+    pub fn run_isaac_alone(&self, file: &Path) -> bool {
+        let without_gazebo = || {
+            self.mentions(file)
+                .is_some_and(|all| all.is_whole && !all.runs_gazebo)
+        };
+        self.run_isaac(file) && without_gazebo()
     }
 
     /// Whether programs load the description `file` into RaiSim, and no launch file does.

@@ -54,6 +54,8 @@ pub(super) struct TextMentions {
     pub refuses: bool,
     /// Whether there is a launch file or a program.
     pub runs: bool,
+    /// Whether one of them runs Gazebo.
+    pub runs_gazebo: bool,
     /// Whether there is a launch file that no exporter of CAD programs wrote.
     launches_more: bool,
     /// Whether a launch file or program starts Gazebo Classic.
@@ -271,6 +273,7 @@ impl TextMentions {
             !is_description && (name_of(path).contains("launch") || file_names::is_program(path));
         self.runs |= may_start;
         self.navigates |= may_start && words.navigates();
+        self.runs_gazebo |= may_start && words.runs_gazebo();
         // the exporter writes it beside the other one
         let is_exported = words.is_exported() || name_of(path) == "display.launch";
         self.launches_more |= name_of(path).contains("launch") && !is_exported;
@@ -337,7 +340,7 @@ impl TextMentions {
         let is_python = path.extension().is_some_and(|ending| ending == "py");
         self.distributions.0 |=
             is_launch && has_any(text, &OLD_PROGRAMS) || names_old_install(text);
-        self.distributions.0 |= is_python && has_any(text, &PYTHON_2)
+        self.distributions.0 |= is_python && (has_any(text, &PYTHON_2) || text.lines().any(prints))
             || file_names::is_description(name_of(path)) && has_any(text, &OLD_GAZEBO);
         self.distributions.1 |= is_python && has_any(text, &["python3", "rclpy", "ament_"]);
     }
@@ -514,6 +517,13 @@ fn is_installed_for_old(file: &Path, packages: &Packages) -> bool {
         .filter(|file| installs(&file.text, &OLD) || installs(&file.text, &NEW))
         .peekable();
     texts.peek().is_some() && texts.all(|file| installs_old(&file.text))
+}
+
+/// Whether a line of Python prints by a statement, which is a function in Python 3.
+fn prints(line: &str) -> bool {
+    let printed = line.trim_start().strip_prefix("print ");
+    printed
+        .is_some_and(|what| what.starts_with(|c: char| c.is_alphanumeric() || "\"'_".contains(c)))
 }
 
 /// Whether a text has a path into the installation of an old distribution.

@@ -41,17 +41,19 @@ const STATES: u32 = 1 << 17;
 const MOVES: u32 = 1 << 18;
 /// Something navigates, or reads a sensor of a real robot.
 const NAVIGATES: u32 = 1 << 19;
+/// Something runs Gazebo, of any generation.
+const GAZEBO: u32 = 1 << 20;
 
 /// The words, also as parts of others, and what each of them says.
 const WORDS: [(&str, u32); 78] = [
-    ("gazebo", MASSES | TRIANGLES | SIMULATES),
+    ("gazebo", MASSES | TRIANGLES | SIMULATES | GAZEBO),
     ("gazebo_ros", CLASSIC),
     ("gzserver", CLASSIC),
-    ("ros_gz", MASSES | TRIANGLES | SIMULATES | REFUSES),
+    ("ros_gz", MASSES | TRIANGLES | SIMULATES | REFUSES | GAZEBO),
     ("ros_gz_sim", SPAWNS),
-    ("ros_ign", MASSES | TRIANGLES | SIMULATES | REFUSES),
-    ("gz_sim", MASSES | TRIANGLES | REFUSES),
-    ("gz sim", MASSES),
+    ("ros_ign", MASSES | TRIANGLES | SIMULATES | REFUSES | GAZEBO),
+    ("gz_sim", MASSES | TRIANGLES | REFUSES | GAZEBO),
+    ("gz sim", MASSES | GAZEBO),
     ("gz-sim", REFUSES),
     ("gz_ros2_control", REFUSES),
     ("ign_ros2_control", REFUSES),
@@ -186,6 +188,11 @@ impl TextWords {
     /// Whether a text runs a simulator that refuses a tensor that no body has, or is for one.
     pub const fn refuses(self) -> bool {
         self.has(REFUSES)
+    }
+
+    /// Whether a text runs Gazebo.
+    pub const fn runs_gazebo(self) -> bool {
+        self.has(GAZEBO)
     }
 
     /// Whether a text starts Gazebo Classic.
