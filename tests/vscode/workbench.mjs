@@ -198,12 +198,6 @@ export class Window {
     await this.editor.locator(".view-line").first().waitFor();
   }
 
-  /** Runs a command by its title. */
-  async command(title) {
-    await this.press("F1");
-    await this.#choose(`>${title}`, title);
-  }
-
   /** Types into the open list and takes the first row, once that is the one that is meant. */
   async #choose(typed, text) {
     await this.input.fill(typed);
