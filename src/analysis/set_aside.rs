@@ -59,16 +59,13 @@ pub(super) fn settle_set_aside(
     }
     let is_impossible = |finding: &Finding| finding.rule == named::INERTIA_TRIANGLE_INEQUALITY;
     let is_negative = |finding: &Finding| finding.rule == named::INERTIA_NOT_POSITIVE_DEFINITE;
-    lower_where(
-        findings,
-        |finding| is_impossible(finding) || is_negative(finding),
-        || {
-            session
-                .callers
-                .never_refuse(&task.file)
-                .then_some(Severity::Warning)
-        },
-    );
+    // PhysX takes them, too
+    let is_taken = |finding: &Finding| is_impossible(finding) || is_negative(finding);
+    lower_where(findings, is_taken, || {
+        let callers = &session.callers;
+        let none_refuses = callers.never_refuse(&task.file) || callers.load_in_isaac(&task.file);
+        none_refuses.then_some(Severity::Warning)
+    });
     group_by_file(findings, |finding| {
         finding.severity == Severity::Warning && is_impossible(finding)
     });
@@ -120,16 +117,6 @@ pub(super) fn settle_set_aside(
         finding.rule == named::MESH_NOT_FOUND && is_above(session, &task.file, finding)
             || finding.rule == named::MISSING_ELEMENT && finding.message.contains("`inertia`")
     };
-    lower_where(
-        findings,
-        |finding| is_impossible(finding) || is_negative(finding),
-        || {
-            session
-                .callers
-                .load_in_isaac(&task.file)
-                .then_some(Severity::Warning)
-        },
-    );
     lower_where(findings, about_isaac, || {
         session
             .callers

@@ -339,7 +339,8 @@ impl TextMentions {
         let is_launch = path.extension().is_some_and(|ending| ending == "launch");
         let is_python = path.extension().is_some_and(|ending| ending == "py");
         self.distributions.0 |=
-            is_launch && has_any(text, &OLD_PROGRAMS) || names_old_install(text);
+            is_launch && has_any(text, &OLD_PROGRAMS) || names_install(text, &OLD);
+        self.distributions.1 |= names_install(text, &NEW);
         self.distributions.0 |= is_python && (has_any(text, &PYTHON_2) || text.lines().any(prints))
             || file_names::is_description(name_of(path)) && has_any(text, &OLD_GAZEBO);
         self.distributions.1 |= is_python && has_any(text, &["python3", "rclpy", "ament_"]);
@@ -526,10 +527,10 @@ fn prints(line: &str) -> bool {
         .is_some_and(|what| what.starts_with(|c: char| c.is_alphanumeric() || "\"'_".contains(c)))
 }
 
-/// Whether a text has a path into the installation of an old distribution.
-fn names_old_install(text: &str) -> bool {
+/// Whether a text has a path into the installation of one of these distributions.
+fn names_install(text: &str, names: &[&str]) -> bool {
     let mut installs = text.split("/opt/ros/").skip(1);
-    installs.any(|rest| OLD.iter().any(|name| rest.starts_with(name)))
+    installs.any(|rest| names.iter().any(|name| rest.starts_with(name)))
 }
 
 /// Whether a text installs or sets up an old distribution, and no newer one.
