@@ -45,7 +45,7 @@ const NAVIGATES: u32 = 1 << 19;
 const GAZEBO: u32 = 1 << 20;
 
 /// The words, also as parts of others, and what each of them says.
-const WORDS: [(&str, u32); 78] = [
+const WORDS: [(&str, u32); 74] = [
     ("gazebo", MASSES | TRIANGLES | SIMULATES | GAZEBO),
     ("gazebo_ros", CLASSIC),
     ("gzserver", CLASSIC),
@@ -114,14 +114,10 @@ const WORDS: [(&str, u32); 78] = [
     ("amcl", NAVIGATES),
     ("cartographer", NAVIGATES),
     ("ldlidar", NAVIGATES),
-    ("micro_ros", NAVIGATES),
     ("move_base", NAVIGATES),
     ("nav2_", NAVIGATES),
-    ("realsense2_camera", NAVIGATES),
-    ("rosserial", NAVIGATES),
     ("rplidar", NAVIGATES),
     ("slam_toolbox", NAVIGATES),
-    ("usb_cam", NAVIGATES),
     ("ydlidar", NAVIGATES),
     // drives of Gazebo that place wheels by themselves
     ("publish_wheel_tf", STATES),
