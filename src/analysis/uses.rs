@@ -211,15 +211,25 @@ fn purpose(session: &Session, file: &Path) -> Option<Purpose> {
     Some(purpose)
 }
 
+/// With more descriptions than these around it, it is not looked which one is a twin of a robot: that takes their product.
+const MOST_DESCRIPTIONS: usize = 200;
+/// Twins that are looked at.
+const MOST_TWINS: usize = 4;
+
 /// Whether a simulator gets the same robot from another file: by its name, that is a copy, or what a plain URDF was made of.
 fn simulate_a_twin(session: &Session, file: &Path) -> bool {
     let Some(name) = robot_name(session, file) else {
         return false;
     };
     let all = session.callers.descriptions(file);
-    let mut twins = all
-        .iter()
-        .filter(|other| *other != file && robot_name(session, other).as_deref() == Some(&*name));
+    // robots that a program wrote in series may be thousands of one name
+    if all.len() > MOST_DESCRIPTIONS {
+        return false;
+    }
+    let others = all.iter().filter(|other| *other != file);
+    let mut twins = others
+        .filter(|other| robot_name(session, other).as_deref() == Some(&*name))
+        .take(MOST_TWINS);
     twins.any(|twin| {
         let purpose = purpose(session, twin);
         purpose.is_some_and(|purpose| purpose.is_loaded && purpose.is_weighed)
