@@ -172,3 +172,69 @@ fn tags_without_prefix_in_workspaces_of_an_old_distribution() {
     let prints = prints.replace(" pose.x", "(pose.x)");
     assert_eq!(of(("src/show.py", &prints)), Some(Severity::Error));
 }
+
+#[test]
+fn no_twin_is_looked_for_among_hundreds_of_robots() {
+    let shows = "<param textfile='$(find arm)/urdf/arm.urdf'/><node pkg='rviz'/>";
+    let simulates =
+        "<param textfile='$(find arm)/sim/sim.urdf'/><node pkg='gazebo_ros' type='spawn_model'/>";
+    let of = |others: usize| {
+        let (own, twin) = (
+            robot("arm"),
+            robot("arm").replace(SHAPE, &format!("{SHAPE}{BODY}")),
+        );
+        let names: Vec<String> = (0..others).map(|n| format!("parts/p{n}.urdf")).collect();
+        let mut files = vec![
+            MANIFEST,
+            ("urdf/arm.urdf", own.as_str()),
+            ("sim/sim.urdf", twin.as_str()),
+            ("launch/show.launch", shows),
+            ("launch/sim.launch", simulates),
+        ];
+        let part = "<robot name='p'><link name='base'/></robot>";
+        files.extend(names.iter().map(|name| (name.as_str(), part)));
+        severity("missing-inertial", &files)
+    };
+    assert_eq!(of(10), Some(Severity::Info));
+    assert_eq!(of(300), Some(Severity::Warning));
+}
+
+#[test]
+fn names_with_a_slash_in_workspaces_of_an_old_distribution() {
+    let slashed = "<robot name='r'><link name='/base'/></robot>";
+    let of = |plugin: &str| {
+        let other =
+            format!("<robot name='s'><gazebo><plugin filename='{plugin}'/></gazebo></robot>");
+        let files = [
+            MANIFEST,
+            ("urdf/arm.urdf", slashed),
+            ("urdf/s.urdf", other.as_str()),
+        ];
+        severity("leading-slash-name", &files)
+    };
+    assert_eq!(of("/opt/ros/kinetic/lib/p.so"), Some(Severity::Info));
+    assert_eq!(of("/opt/ros/humble/lib/p.so"), Some(Severity::Warning));
+}
+
+#[test]
+fn folders_to_install_that_git_leaves_out() {
+    let manifest =
+        "<package><name>arm</name><buildtool_depend>ament_cmake</buildtool_depend></package>";
+    let of = |ignored: &str| {
+        let files = [
+            ("package.xml", manifest),
+            (
+                "CMakeLists.txt",
+                "project(arm)\nfind_package(ament_cmake REQUIRED)\ninstall(DIRECTORY meshes/ DESTINATION share/${PROJECT_NAME}/meshes)\n",
+            ),
+            (
+                "urdf/arm.urdf",
+                "<robot name='r'><link name='base'/></robot>",
+            ),
+            (".gitignore", ignored),
+        ];
+        severity("installed-file-not-found", &files)
+    };
+    assert_eq!(of("meshes/\n"), Some(Severity::Info));
+    assert_eq!(of("build/\n"), Some(Severity::Error));
+}
