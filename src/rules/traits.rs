@@ -64,12 +64,13 @@ static CONTACT: [&Rule; 2] = [
     &geometry::mesh_inconsistent_normals::RULE,
 ];
 
-static SIMULATION: [&Rule; 6] = [
+static SIMULATION: [&Rule; 7] = [
     &control::gazebo_link_settings_on_joint::RULE,
     &control::gazebo_unknown_reference::RULE,
     &control::plugin_unknown_frame::RULE,
     &control::sdf_surface::RULE,
     &control::unknown_plugin_parameter::RULE,
+    &geometry::collision_origin_mismatch::RULE,
     &joint::mimic_range_exceeds_limits::RULE,
 ];
 

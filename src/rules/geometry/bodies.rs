@@ -84,7 +84,8 @@ pub(super) fn bounds(cx: &DocumentCx<'_>, body: &Body) -> Option<Bounds> {
     Some(shape_bounds(cx, body.shape()?)?.moved(&place))
 }
 
-fn shape_bounds(cx: &DocumentCx<'_>, shape: &Shape) -> Option<Bounds> {
+/// The box of a shape in its own frame.
+pub(super) fn shape_bounds(cx: &DocumentCx<'_>, shape: &Shape) -> Option<Bounds> {
     Some(match &shape.kind {
         ShapeKind::Box { size } => Bounds::centered(size.as_ref()?.numbers()?),
         ShapeKind::Cylinder { radius, length } => {

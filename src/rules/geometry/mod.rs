@@ -6,6 +6,7 @@ pub(super) mod binary_stl_solid_header;
 mod bodies;
 mod collision_left_out;
 pub(super) mod collision_mesh_too_detailed;
+pub(super) mod collision_origin_mismatch;
 mod collision_same_as_visual;
 mod collision_smaller_than_visual;
 mod color_out_of_range;
@@ -98,4 +99,5 @@ pub(super) static RULES: &[&Rule] = &[
     &visual_collision_apart::RULE,
     &collision_left_out::RULE,
     &mesh_path_without_scheme::RULE,
+    &collision_origin_mismatch::RULE,
 ];

@@ -3,6 +3,7 @@ use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::bodies::extent_of;
+use super::collision_origin_mismatch::mismatch;
 use super::mesh_scale_suspicious::is_scaled_wrong;
 use model::{Bounds, tag_start};
 
@@ -36,7 +37,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         if visual.diagonal().min(collision.diagonal()) < MARKER {
             continue;
         }
-        if !is_apart(visual, collision) || is_scaled_wrong(cx, link) {
+        // the same shape at another place is a finding of its own
+        if !is_apart(visual, collision) || is_scaled_wrong(cx, link) || mismatch(cx, link).is_some()
+        {
             continue;
         }
         let message = format!(
