@@ -59,18 +59,18 @@ static DEPRECATED: [&Rule; 4] = [
     &xml::nonstandard_xacro_namespace::RULE,
 ];
 
-static CONTACT: [&Rule; 2] = [
+static CONTACT: [&Rule; 3] = [
     &geometry::collision_mesh_too_detailed::RULE,
+    &geometry::collision_origin_mismatch::RULE,
     &geometry::mesh_inconsistent_normals::RULE,
 ];
 
-static SIMULATION: [&Rule; 7] = [
+static SIMULATION: [&Rule; 6] = [
     &control::gazebo_link_settings_on_joint::RULE,
     &control::gazebo_unknown_reference::RULE,
     &control::plugin_unknown_frame::RULE,
     &control::sdf_surface::RULE,
     &control::unknown_plugin_parameter::RULE,
-    &geometry::collision_origin_mismatch::RULE,
     &joint::mimic_range_exceeds_limits::RULE,
 ];
 

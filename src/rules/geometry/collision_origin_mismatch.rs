@@ -24,7 +24,7 @@ const MARKER: f64 = 0.02;
 /// How far apart they may be, of the diagonal of the shape.
 const CLOSE: f64 = 0.05;
 /// What hardly matters to a contact, meters.
-const LITTLE: f64 = 0.01;
+const LITTLE: f64 = 0.02;
 
 fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
     let Some(found) = mismatch(cx, link) else {
