@@ -65,19 +65,21 @@ static CONTACT: [&Rule; 3] = [
     &geometry::mesh_inconsistent_normals::RULE,
 ];
 
-static SIMULATION: [&Rule; 6] = [
+static SIMULATION: [&Rule; 7] = [
     &control::gazebo_link_settings_on_joint::RULE,
     &control::gazebo_unknown_reference::RULE,
     &control::plugin_unknown_frame::RULE,
     &control::sdf_surface::RULE,
+    &control::sensor_outside_gazebo::RULE,
     &control::unknown_plugin_parameter::RULE,
     &joint::mimic_range_exceeds_limits::RULE,
 ];
 
-static GAZEBO: [&Rule; 10] = [
+static GAZEBO: [&Rule; 11] = [
     &control::gazebo_link_settings_on_joint::RULE,
     &control::gazebo_missing_reference::RULE,
     &control::sdf_surface::RULE,
+    &control::sensor_outside_gazebo::RULE,
     &control::gazebo_unknown_reference::RULE,
     &control::plugin_file_not_found::RULE,
     &control::plugin_unknown_frame::RULE,

@@ -40,6 +40,7 @@ mod ros2_control_unknown_interface;
 mod ros2_control_unknown_joint;
 mod ros2_control_unknown_tag;
 pub(super) mod sdf_surface;
+pub(super) mod sensor_outside_gazebo;
 pub(super) mod transmission_missing_actuator;
 pub(super) mod transmission_missing_hardware_interface;
 pub(super) mod transmission_unknown_joint;
@@ -94,4 +95,5 @@ pub(super) static RULES: &[&Rule] = &[
     &controller_wheels_exchanged::RULE,
     &ros2_control_plugin_mismatch::RULE,
     &unknown_plugin_parameter::RULE,
+    &sensor_outside_gazebo::RULE,
 ];
