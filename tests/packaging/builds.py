@@ -9,7 +9,7 @@ import sys
 import tarfile
 import zipfile
 
-from common import EXAMPLES, ROOT, TARGET, WORK, Failed, demand, fresh, run, snippet, tool
+from common import EXAMPLES, RELEASE, ROOT, TARGET, WORK, Failed, demand, fresh, run, snippet, tool
 from hooks import STATIC, quick
 
 # What crates.io takes, in bytes.
@@ -24,12 +24,19 @@ def finds_defects(program):
     demand("[undefined-macro]" in printed, printed)
 
 
+def linked_target():
+    """The objects of `cargo build --release` once more, by hard links: they are used again, and the programs that they were linked to
+    stay where other suites run them, while maturin moves its own."""
+    target = fresh("wheel-target")
+    shutil.copytree(RELEASE, target / "release", copy_function=os.link, symlinks=True)
+    return target
+
+
 def wheel():
     """The wheel holds both programs and installs into a clean environment."""
     wheels = fresh("wheel")
-    # the objects of `cargo build --release` are used again
     command = [tool("maturin"), "build", "--release", "--locked", "--compatibility", "linux", "--out", wheels]
-    run(command, CARGO_TARGET_DIR=TARGET)
+    run(command, CARGO_TARGET_DIR=linked_target())
     (file,) = wheels.glob("xacro_lint-*.whl")
     clean = fresh("wheel-environment")
     run([sys.executable, "-m", "venv", clean])
