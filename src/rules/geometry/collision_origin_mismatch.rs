@@ -106,6 +106,9 @@ pub(super) fn mismatch<'a>(cx: &DocumentCx<'_>, link: &'a Link) -> Option<Mismat
     }
     let center = Point3::from(bounds.center());
     let distance = (one * center - other * center).norm();
+    if !distance.is_finite() {
+        return None; // numbers that no robot has
+    }
     let angle = match shape.kind {
         ShapeKind::Cylinder { .. } | ShapeKind::Capsule { .. } => {
             let axes = [one, other].map(|place| place * Vector3::z());
