@@ -5,6 +5,7 @@ use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::bodies::shape_bounds;
+use super::resources::factors;
 use model::{AttrValue, Body, Bounds, Link, Pose, Shape, ShapeKind, tag_start, transform};
 
 pub(in super::super) static RULE: Rule = Rule {
@@ -93,7 +94,10 @@ pub(super) fn mismatch<'a>(cx: &DocumentCx<'_>, link: &'a Link) -> Option<Mismat
         return None;
     }
     let shape = visual.shape()?;
-    let name = same_shape(shape, collision.shape()?)?;
+    let own = measures(shape)?;
+    if own != measures(collision.shape()?)? {
+        return None;
+    }
     let bounds = shape_bounds(cx, shape)?;
     let (one, other) = (
         transform(visual.origin.as_ref())?,
@@ -109,21 +113,12 @@ pub(super) fn mismatch<'a>(cx: &DocumentCx<'_>, link: &'a Link) -> Option<Mismat
     if !distance.is_finite() {
         return None; // numbers that no robot has
     }
-    let angle = match shape.kind {
-        ShapeKind::Cylinder { .. } | ShapeKind::Capsule { .. } => {
-            let axes = [one, other].map(|place| place * Vector3::z());
-            let [one, other] = axes;
-            one.angle(&other).min(one.angle(&-other))
-        }
-        ShapeKind::Sphere { .. } => 0.0,
-        _ => one.rotation.angle_to(&other.rotation),
-    };
     Some(Mismatch {
         visual,
         collision,
-        shape: name,
+        shape: own.0,
         distance: if distance > limit { distance } else { 0.0 },
-        angle,
+        angle: angle(shape, &one, &other),
         farthest,
     })
 }
@@ -142,53 +137,27 @@ fn is_same_place(one: Option<&Pose>, other: Option<&Pose>) -> bool {
     one.map(words) == other.map(words)
 }
 
-/// The name of the element when two shapes are the same.
-fn same_shape(one: &Shape, other: &Shape) -> Option<&'static str> {
-    use ShapeKind::{Box, Capsule, Cylinder, Mesh, Sphere};
-    let numbers = |value: &Option<AttrValue>| value.as_ref()?.number();
-    let (name, is_same) = match (&one.kind, &other.kind) {
-        (Box { size }, Box { size: other }) => {
-            let [size, other] = [size, other].map(|size| size.as_ref()?.numbers::<3>());
-            ("box", size.is_some() && size == other)
+/// The element, the measures in meters or factors, and the file of a shape; none when one of them is not known.
+fn measures(shape: &Shape) -> Option<(&'static str, Vec<f64>, &str)> {
+    let number = |text: &Option<AttrValue>| text.as_ref()?.number();
+    Some(match &shape.kind {
+        ShapeKind::Box { size } => {
+            let size = size.as_ref()?.numbers::<3>()?;
+            ("box", size.to_vec(), "")
         }
-        (
-            Cylinder { radius, length },
-            Cylinder {
-                radius: other_radius,
-                length: other_length,
-            },
-        ) => {
-            let same = numbers(radius) == numbers(other_radius);
-            ("cylinder", same && numbers(length) == numbers(other_length))
+        ShapeKind::Cylinder { radius, length } => {
+            ("cylinder", vec![number(radius)?, number(length)?], "")
         }
-        (
-            Capsule { radius, length },
-            Capsule {
-                radius: other_radius,
-                length: other_length,
-            },
-        ) => {
-            let same = numbers(radius) == numbers(other_radius);
-            ("capsule", same && numbers(length) == numbers(other_length))
+        ShapeKind::Capsule { radius, length } => {
+            ("capsule", vec![number(radius)?, number(length)?], "")
         }
-        (Sphere { radius }, Sphere { radius: other }) => {
-            ("sphere", numbers(radius) == numbers(other))
+        ShapeKind::Sphere { radius } => ("sphere", vec![number(radius)?], ""),
+        ShapeKind::Mesh { filename, scale } => {
+            let scale = factors(scale.as_ref())?;
+            ("mesh", scale.to_vec(), filename.as_ref()?.value.as_str())
         }
-        (
-            Mesh { filename, scale },
-            Mesh {
-                filename: other_file,
-                scale: other_scale,
-            },
-        ) => {
-            let text = |value: &Option<AttrValue>| value.as_ref().map(|text| text.value.clone());
-            let same = text(filename) == text(other_file);
-            let factors = [scale, other_scale].map(|scale| super::factors(scale.as_ref()));
-            ("mesh", same && factors[0] == factors[1])
-        }
-        _ => return None,
-    };
-    is_same.then_some(name)
+        ShapeKind::Other => return None,
+    })
 }
 
 /// How far the one shape stands out of the other, meters: from each of its marks to the nearest of the other's. Shapes that
@@ -202,6 +171,19 @@ fn farthest(shape: &Shape, bounds: Bounds, one: &Isometry3<f64>, other: &Isometr
         distances.fold(f64::INFINITY, f64::min)
     };
     marks.iter().map(nearest).fold(0.0, f64::max)
+}
+
+/// The angle between the directions of a shape at two places, radians.
+fn angle(shape: &Shape, one: &Isometry3<f64>, other: &Isometry3<f64>) -> f64 {
+    match shape.kind {
+        // which end is up does not show
+        ShapeKind::Cylinder { .. } | ShapeKind::Capsule { .. } => {
+            let [one, other] = [one, other].map(|place| place * Vector3::z());
+            one.angle(&other).min(one.angle(&-other))
+        }
+        ShapeKind::Sphere { .. } => 0.0,
+        _ => one.rotation.angle_to(&other.rotation),
+    }
 }
 
 /// Points of a shape that tell where it stands: the corners of a box, the ends of an axis, a center.
