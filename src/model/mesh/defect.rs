@@ -14,7 +14,7 @@ pub struct Defect {
 pub enum DefectKind {
     /// Readers refuse it, or show nothing.
     Corrupt,
-    /// It has no bytes: a copy that failed, or a place for a file that comes later.
+    /// It has no bytes, or zeros only: a copy that failed, or a place for a file that comes later.
     Empty,
     /// A note of Git LFS stands in its place.
     LfsPointer,
@@ -36,10 +36,15 @@ impl Defect {
         }
     }
 
-    pub(super) fn empty() -> Self {
+    /// A file of so many bytes says nothing.
+    pub(super) fn empty(bytes: usize) -> Self {
+        let message = match bytes {
+            0 => "the file is empty",
+            _ => "the file contains only zeros",
+        };
         Self {
             kind: DefectKind::Empty,
-            message: "the file is empty".to_owned(),
+            message: message.to_owned(),
         }
     }
 

@@ -123,7 +123,7 @@ fn draft(
     let read = match format {
         _ if is_lfs_pointer(bytes) => Err(lfs_pointer()),
         MeshFormat::Other => Err(Defect::unread("its format is not supported")),
-        _ if bytes.is_empty() => Err(Defect::empty()),
+        _ if bytes.iter().all(|byte| *byte == 0) => Err(Defect::empty(bytes.len())),
         MeshFormat::StlAscii | MeshFormat::StlBinary { .. } => stl::read(bytes, &mut draft),
         MeshFormat::Obj => obj::read(bytes, beside, &mut draft),
         MeshFormat::Dae => dae::read(&vfs::text_of(bytes.to_vec()), &mut draft),
