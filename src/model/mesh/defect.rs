@@ -14,7 +14,7 @@ pub struct Defect {
 pub enum DefectKind {
     /// Readers refuse it, or show nothing.
     Corrupt,
-    /// It has no bytes, or zeros only: a copy that failed, or a place for a file that comes later.
+    /// It has no bytes, or zeros in place of them: a copy that failed, or a place for a file that comes later.
     Empty,
     /// A note of Git LFS stands in its place.
     LfsPointer,
@@ -36,15 +36,15 @@ impl Defect {
         }
     }
 
-    /// A file of so many bytes says nothing.
-    pub(super) fn empty(bytes: usize) -> Self {
-        let message = match bytes {
-            0 => "the file is empty",
-            _ => "the file contains only zeros",
+    /// A file has no bytes, or begins with so many zeros.
+    pub(super) fn empty(zeros: usize) -> Self {
+        let message = match zeros {
+            0 => "the file is empty".to_owned(),
+            zeros => format!("it begins with {zeros} zero bytes"),
         };
         Self {
             kind: DefectKind::Empty,
-            message: message.to_owned(),
+            message,
         }
     }
 

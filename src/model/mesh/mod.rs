@@ -102,6 +102,18 @@ impl Mesh {
     }
 }
 
+/// The number of zeros that a file begins with.
+fn zeros(bytes: &[u8]) -> usize {
+    bytes.iter().take_while(|byte| **byte == 0).count()
+}
+
+/// Whether a file holds nothing, or zeros where all formats say what follows: the head of a binary STL and its number of triangles
+/// are the longest of them.
+fn is_overwritten(bytes: &[u8]) -> bool {
+    const LONGEST: usize = 84;
+    zeros(bytes) >= bytes.len().min(LONGEST)
+}
+
 /// What the reader of a format finds; colors only when they are wanted.
 fn draft(
     ending: &str,
@@ -123,7 +135,7 @@ fn draft(
     let read = match format {
         _ if is_lfs_pointer(bytes) => Err(lfs_pointer()),
         MeshFormat::Other => Err(Defect::unread("its format is not supported")),
-        _ if bytes.iter().all(|byte| *byte == 0) => Err(Defect::empty(bytes.len())),
+        _ if is_overwritten(bytes) => Err(Defect::empty(zeros(bytes))),
         MeshFormat::StlAscii | MeshFormat::StlBinary { .. } => stl::read(bytes, &mut draft),
         MeshFormat::Obj => obj::read(bytes, beside, &mut draft),
         MeshFormat::Dae => dae::read(&vfs::text_of(bytes.to_vec()), &mut draft),
