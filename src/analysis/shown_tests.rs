@@ -80,6 +80,13 @@ fn robots_that_a_launch_file_finds_by_a_name_that_it_puts_together() {
     assert_eq!(of("urdf/base.xacro", computed), Some(Severity::Warning));
     let simulates = format!("{drives}\nNode(package='ros_gz_sim', executable='create')");
     assert_eq!(of("urdf/base.xacro", &simulates), Some(Severity::Warning));
+    // the name that is written above
+    let set = |model: &str| {
+        let launch = simulates.replace("os.environ['MODEL']", "MODEL");
+        of("urdf/base.xacro", &format!("MODEL = '{model}'\n{launch}"))
+    };
+    assert_eq!(set("base"), Some(Severity::Warning));
+    assert_eq!(set("arm"), Some(Severity::Info));
 }
 
 #[test]

@@ -18,8 +18,8 @@ const CONTAINER_FOLDER: &str = "docker";
 const WORKFLOWS: &str = ".github/workflows";
 
 impl Packages {
-    /// Whether the package around a file is for distributions of ROS 2 before Jazzy only: the environment says so, or else
-    /// its manifest, pages, scripts and workflows, or those of the repository.
+    /// Whether a file is for distributions of ROS 2 before Jazzy only: the environment says so, or else the manifest, pages, scripts and
+    /// workflows of the package around it, or those of the repository.
     pub fn is_before_jazzy(&self, file: &Path) -> bool {
         self.is_before("jazzy", file)
     }
@@ -44,11 +44,11 @@ impl Packages {
         if let Some(own) = self.env.var("ROS_DISTRO").filter(|name| !name.is_empty()) {
             return place(own);
         }
-        let package = self.containing(file)?;
+        let package = self.containing(file);
         // what it is run in says more than pages, which also tell of plans
         let is_container = |path: &PathBuf| name_of(path).starts_with(CONTAINER);
         let all = |_: &PathBuf| true;
-        let of_package = || self.newest_named(&package.folder, all);
+        let of_package = || self.newest_named(&package.as_ref()?.folder, all);
         let top = self.sources_around(file);
         let in_container = || self.newest_named(top.as_ref()?, is_container);
         let of_repository = || self.newest_named(top.as_ref()?, all);
@@ -159,8 +159,10 @@ mod tests {
             &tree.environment(&[]),
             PackageOptions::default(),
         );
-        let file = tree.path("ws/arm/urdf/arm.xacro");
-        assert!(packages.is_before_humble(&file) && packages.is_before_jazzy(&file));
+        for file in ["ws/arm/urdf/arm.xacro", "ws/loose/arm.xacro"] {
+            let file = tree.path(file);
+            assert!(packages.is_before_humble(&file) && packages.is_before_jazzy(&file));
+        }
     }
 
     #[test]

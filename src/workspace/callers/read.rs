@@ -248,19 +248,36 @@ fn computed(text: &str) -> Vec<String> {
     found
 }
 
-/// The endings that Python adds to names that it has: `MODEL + '.urdf'`.
+/// The endings that Python adds to names that it has: `MODEL + '.urdf'`. The whole name, where the text says what it adds to.
 fn added(text: &str) -> Vec<String> {
     let mut found = Vec::new();
     for quote in ["+ '", "+ \"", "+'", "+\""] {
         for (at, _) in text.match_indices(quote) {
-            let after = text.get(at + quote.len()..).unwrap_or("");
+            let (before, after) = text.split_at(at);
+            let after = after.get(quote.len()..).unwrap_or("");
             let ending = after.split(|c: char| !is_name(c)).next().unwrap_or("");
             if ending.starts_with(['.', '_']) && is_description(ending) {
-                found.push(ending.to_owned());
+                let variable = before.trim_end().rsplit(|c: char| !is_name(c)).next();
+                let start = variable.and_then(|variable| constant(text, variable));
+                found.push(start.unwrap_or_default().to_owned() + ending);
             }
         }
     }
     found
+}
+
+/// The text of a variable of Python that is set once, to a plain name.
+fn constant<'t>(text: &'t str, variable: &str) -> Option<&'t str> {
+    let value = |line: &'t str| {
+        let rest = line.trim_start().strip_prefix(variable)?.trim_start();
+        rest.strip_prefix('=').filter(|rest| !rest.starts_with('='))
+    };
+    let mut values = text.lines().filter_map(value);
+    let only = values.next().filter(|_| values.next().is_none())?.trim();
+    let inside = ['\'', '"']
+        .into_iter()
+        .find_map(|quote| only.strip_prefix(quote)?.strip_suffix(quote))?;
+    inside.chars().all(is_name).then_some(inside)
 }
 
 /// The endings of the files that a program takes, whatever their names are.
