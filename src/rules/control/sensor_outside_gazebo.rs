@@ -27,18 +27,12 @@ fn check(cx: &DocumentCx<'_>, element: &CheckedElement, out: &mut Sink<'_>) {
     if !in_link || tree.get(id).text != "sensor" {
         return;
     }
-    let says_more = |name: &str| !OF_DRAFT.contains(&name);
-    let is_meant = tree.attr(id, "type").is_some()
-        && tree
-            .elements(id)
-            .any(|child| says_more(&tree.get(child).text));
-    let link = tree.parent(id);
+    let says_more = |child| !OF_DRAFT.contains(&tree.get(child).text.as_str());
+    let is_meant = tree.attr(id, "type").is_some() && tree.elements(id).any(says_more);
+    let link = tree.parent(id).filter(|_| is_meant);
     let Some(link) = link.and_then(|link| AttrValue::attr(tree, link, "name")) else {
         return;
     };
-    if !is_meant {
-        return;
-    }
     let name = AttrValue::attr(tree, id, "name");
     let named = name.map_or("a sensor".to_owned(), |name| {
         format!("sensor `{}`", name.value)

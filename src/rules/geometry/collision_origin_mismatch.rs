@@ -58,7 +58,7 @@ pub(super) struct Mismatch<'a> {
     collision: &'a Body,
     /// The element of the shape.
     shape: &'static str,
-    /// From center to center, meters; zero when they are close.
+    /// From center to center, meters; zero when they are close, and it is the turn that counts.
     distance: f64,
     /// Between their directions, radians.
     angle: f64,
@@ -113,12 +113,14 @@ pub(super) fn mismatch<'a>(cx: &DocumentCx<'_>, link: &'a Link) -> Option<Mismat
     if !distance.is_finite() {
         return None; // numbers that no robot has
     }
+    let angle = angle(shape, &one, &other);
+    let is_moved = distance > limit || angle <= CLOSE;
     Some(Mismatch {
         visual,
         collision,
         shape: own.0,
-        distance: if distance > limit { distance } else { 0.0 },
-        angle: angle(shape, &one, &other),
+        distance: if is_moved { distance } else { 0.0 },
+        angle,
         farthest,
     })
 }
