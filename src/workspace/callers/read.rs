@@ -251,16 +251,17 @@ fn computed(text: &str) -> Vec<String> {
 /// The endings that Python adds to names that it has: `MODEL + '.urdf'`. The whole name, where the text says what it adds to.
 fn added(text: &str) -> Vec<String> {
     let mut found = Vec::new();
-    for quote in ["+ '", "+ \"", "+'", "+\""] {
-        for (at, _) in text.match_indices(quote) {
-            let (before, after) = text.split_at(at);
-            let after = after.get(quote.len()..).unwrap_or("");
-            let ending = after.split(|c: char| !is_name(c)).next().unwrap_or("");
-            if ending.starts_with(['.', '_']) && is_description(ending) {
-                let variable = before.trim_end().rsplit(|c: char| !is_name(c)).next();
-                let start = variable.and_then(|variable| constant(text, variable));
-                found.push(start.unwrap_or_default().to_owned() + ending);
-            }
+    for (at, _) in text.match_indices('+') {
+        let (before, after) = text.split_at(at);
+        let after = after.trim_start_matches(['+', ' ']);
+        let Some(after) = after.strip_prefix(['\'', '"']) else {
+            continue;
+        };
+        let ending = after.split(|c: char| !is_name(c)).next().unwrap_or("");
+        if ending.starts_with(['.', '_']) && is_description(ending) {
+            let variable = before.trim_end().rsplit(|c: char| !is_name(c)).next();
+            let start = variable.and_then(|variable| constant(text, variable));
+            found.push(start.unwrap_or_default().to_owned() + ending);
         }
     }
     found
