@@ -100,6 +100,19 @@ pub(super) struct StepMemo {
     pub moves_marker: bool,
 }
 
+impl StepMemo {
+    /// Without the room its lists have left: there is one for each call, as long as the document is open.
+    pub fn compact(mut self) -> Self {
+        self.reads.names.shrink_to_fit();
+        self.reads.macros.shrink_to_fit();
+        self.reads.sources.shrink_to_fit();
+        self.symbols.definitions.shrink_to_fit();
+        self.symbols.uses.shrink_to_fit();
+        self.forced.shrink_to_fit();
+        self
+    }
+}
+
 /// What a step reads from around it.
 #[derive(Debug, Default)]
 pub(super) struct StepReads {

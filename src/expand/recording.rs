@@ -83,7 +83,7 @@ impl Expander<'_> {
             let marker = self.result.tree.parent(self.marker);
             if !memo.moves_marker || marker == Some(out) {
                 self.steps.done.push(StepResult {
-                    step: StepKey(Arc::new(memo)),
+                    step: StepKey(Arc::new(memo.compact())),
                     content: (first, first),
                     evaluations,
                 });

@@ -82,6 +82,6 @@ pub use text_names::{
     Documents, Meaning, NameText, TextDefinition, TextNames, definitions_by_text,
     definitions_elsewhere, further_places, occurrences,
 };
-pub use tokens::{HighlightToken, KeptTokens, Modifiers, PartTokens, TokenKind, tokens};
+pub use tokens::{HighlightToken, KeptTokens, Modifiers, TokenKind, tokens};
 pub use unseen::unseen_name;
 pub use values::cut;

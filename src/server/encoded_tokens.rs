@@ -23,7 +23,7 @@ pub(crate) const KINDS: &[(TokenKind, SemanticTokenType)] = &[
 ];
 
 /// The tokens of a part of a document.
-#[derive(Debug)]
+#[derive(Debug, PartialEq, Eq)]
 pub(crate) struct EncodedPart {
     /// The first one is relative to the start of the part.
     tokens: Vec<SemanticToken>,

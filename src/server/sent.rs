@@ -1,14 +1,11 @@
 //! What the client was told last.
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
-use std::sync::Arc;
 
 use lsp_types::SemanticToken;
 
 use crate::encoded_tokens::EncodedPart;
-use base::FastMap;
-use ide::{HighlightToken, KeptTokens};
-use xml::Item;
+use ide::KeptTokens;
 
 /// What the client was told last.
 #[derive(Default)]
@@ -22,14 +19,9 @@ pub(super) struct Published {
 pub(super) struct SentTokens {
     pub number: u64,
     pub data: Vec<SemanticToken>,
-    /// What was found in the parts of the file.
-    pub kept: KeptTokens,
-    /// Its encoded form, by the addresses of a part and of its tokens, which are held so that no others get them.
-    pub encoded: FastMap<(usize, usize), EncodedTokens>,
+    /// Those of the parts of the file.
+    pub kept: KeptTokens<EncodedPart>,
 }
-
-/// A part of a file, its tokens, and these as the protocol has them.
-type EncodedTokens = (Arc<Item>, Arc<[HighlightToken]>, Arc<EncodedPart>);
 
 /// What the client was told last.
 #[derive(Default)]

@@ -42,6 +42,13 @@ impl Buffer {
         buffer
     }
 
+    /// A buffer with the tree that was read of its text.
+    pub(super) fn with_source(revision: u64, source: Arc<SourceFile>) -> Self {
+        let buffer = Self::new(source.id, source.path.clone(), revision);
+        buffer.source.get_or_init(|| source);
+        buffer
+    }
+
     /// This buffer with the bytes of `range` replaced. A tree that was made is edited, so that it shares
     /// all that the edit did not touch.
     pub(super) fn edited(&self, revision: u64, range: TextRange, replacement: &str) -> Self {
@@ -55,20 +62,15 @@ impl Buffer {
         };
         let mut document = source.document.clone();
         document.edit(range, replacement);
-        let buffer = Self::new(self.id, self.path.clone(), revision);
-        buffer.source.get_or_init(|| {
-            // Reading the whole text for a hash would cost more than the edit.
-            let hash = read::hash(&("revision", revision));
-            let (id, path) = (buffer.id, buffer.path.clone());
-            Arc::new(SourceFile {
-                id,
-                path,
-                document,
-                hash,
-                encoding_error: None,
-            })
-        });
-        buffer
+        let source = SourceFile {
+            id: self.id,
+            path: self.path.clone(),
+            document,
+            // reading the whole text for a hash would cost more than the edit
+            hash: read::hash(&("revision", revision)),
+            encoding_error: None,
+        };
+        Self::with_source(revision, Arc::new(source))
     }
 
     /// This buffer with all of its text replaced; as an edit of what differs, if there is a tree.

@@ -55,6 +55,12 @@ impl<T> Cache<T> {
             .is_some_and(|slot| slot.stamp == stamp && slot.settled)
     }
 
+    /// The value that was made last for the file, which may have changed since.
+    pub(super) fn latest(&self, id: FileId) -> Option<Arc<T>> {
+        let slots = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        slots.get(&id)?.cell.get()?.as_ref().ok().cloned()
+    }
+
     fn cell(&self, id: FileId, stamp: Stamp) -> Cell<T> {
         let mut slots = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         match slots.get(&id) {

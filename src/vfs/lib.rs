@@ -298,9 +298,19 @@ impl Vfs {
         let revision = self.next_revision();
         let buffer = match buffers.get(&id) {
             Some(buffer) => buffer.replaced(revision, text),
-            None => Buffer::with_text(id, self.path(id), revision, text),
+            None => self.opened(id, revision, text),
         };
         buffers.insert(id, Arc::new(buffer));
+    }
+
+    /// A new buffer. Mostly its text is the one on disk, whose tree it shares then.
+    fn opened(&self, id: FileId, revision: u64, text: String) -> Buffer {
+        let hash = read::hash(&text);
+        let known = self.shared.sources.latest(id);
+        match known.filter(|known| known.hash == hash && known.encoding_error.is_none()) {
+            Some(known) => Buffer::with_source(revision, known),
+            None => Buffer::with_text(id, self.path(id), revision, text),
+        }
     }
 
     /// Replace the bytes of `range` in an open buffer; nothing happens when there is none.

@@ -177,6 +177,33 @@ fn documents_are_parsed_once() {
 }
 
 #[test]
+fn opening_a_file_as_it_is_on_disk_shares_its_tree() {
+    let tree = Tree::new();
+    let saved = "<robot><link name='a'/></robot>";
+    tree.write("a.xacro", saved);
+    let path = tree.path("a.xacro");
+    let opened = |text: &str| {
+        tree.vfs().set_buffer(&path, None);
+        let on_disk = tree.vfs().document(&path).unwrap();
+        tree.vfs().set_buffer(&path, Some(text.to_owned()));
+        let shown = tree.vfs().document(&path).unwrap();
+        assert_eq!(shown.document.text(), text);
+        (on_disk, shown)
+    };
+    let (on_disk, shown) = opened(saved);
+    assert!(Arc::ptr_eq(&on_disk, &shown));
+    tree.vfs().edit_buffer(&path, TextRange::new(19, 20), "b");
+    let edited = tree.vfs().document(&path).unwrap();
+    assert_eq!(edited.document.text(), saved.replace("'a'", "'b'"));
+    assert_eq!(on_disk.document.text(), saved);
+    let (on_disk, shown) = opened("<robot><link name='unsaved'/></robot>");
+    assert!(!Arc::ptr_eq(&on_disk, &shown));
+    std::fs::write(&path, b"<robot>\xff</robot>").unwrap();
+    let (on_disk, shown) = opened("<robot>\u{fffd}</robot>");
+    assert!(on_disk.encoding_error.is_some() && shown.encoding_error.is_none());
+}
+
+#[test]
 fn yaml_is_loaded_once() {
     let tree = Tree::new();
     tree.write("a.yaml", "a: [1");

@@ -5,112 +5,117 @@ use std::sync::Arc;
 use super::names::{KnownName, KnownNames};
 use super::{Collector, HighlightToken};
 use crate::context::Cx;
-use base::{FastMap, TextRange};
-use expand::SymbolKind;
+use base::TextRange;
 use xml::Item;
 
-/// The pieces of a part of a file.
-#[derive(Clone)]
-pub struct PartTokens {
-    /// The part; what its document has in front of it moves it.
-    pub item: Arc<Item>,
-    /// Its pieces in order; their ranges count from its start.
-    pub tokens: Arc<[HighlightToken]>,
-}
-
-/// The pieces of all parts of a file, and what they rest on.
-#[derive(Default)]
-pub struct KeptTokens {
-    /// By the address of the part, which is held so that no other one gets it.
-    parts: FastMap<usize, KeptPart>,
-    /// The first part, which defines entities.
-    header: Option<Arc<Item>>,
+/// What is made of the pieces of each part of a file, and what they rest on.
+pub struct KeptTokens<T> {
+    /// In the order of the file, as it was the last time.
+    parts: Vec<KeptPart<T>>,
     /// A hash of the names of all properties.
     properties: u64,
 }
 
-struct KeptPart {
-    found: PartTokens,
-    /// The names in it, by their places from its start.
-    names: Vec<(TextRange, SymbolKind)>,
-    rests_on_properties: bool,
+impl<T> Default for KeptTokens<T> {
+    fn default() -> Self {
+        Self {
+            parts: Vec::new(),
+            properties: 0,
+        }
+    }
 }
 
-impl KeptTokens {
-    /// The pieces of all parts of a file in order. Parts that were there the last time, and whose names are the same, have the same
-    /// pieces, unless they rest on what the robot is.
-    pub fn renew(&mut self, cx: &Cx<'_>) -> Vec<PartTokens> {
+struct KeptPart<T> {
+    item: Arc<Item>,
+    made: T,
+    /// The names in it, by their places from its start.
+    names: Box<[KnownName]>,
+    rests_on_properties: bool,
+    rests_on_robot: bool,
+}
+
+impl<T: PartialEq> KeptTokens<T> {
+    /// What is made of the pieces of all parts of a file, in order; `make` takes the text of a part and its pieces, whose
+    /// ranges count from its start. Parts in front of what was edited and after it, whose names are the same, are taken
+    /// over, unless their pieces rest on what the robot is.
+    pub fn renew(
+        &mut self,
+        cx: &Cx<'_>,
+        make: impl Fn(&str, &[HighlightToken]) -> T,
+    ) -> impl Iterator<Item = &T> {
         let names = KnownNames::of(cx, TextRange::new(0, u32::MAX));
         let properties = hash_of(&names);
-        let document = &cx.source.document;
-        let header = document.parts().next().map(|(_, item)| item.clone());
-        let is_same = |a: &Arc<Item>| header.as_ref().is_some_and(|b| Arc::ptr_eq(a, b));
-        if !self.header.as_ref().is_some_and(is_same) {
-            self.parts.clear();
-        }
-        let mut before = std::mem::take(&mut self.parts);
-        let mut all = Vec::with_capacity(document.item_count() + 2);
-        for (base, item) in document.parts() {
-            let address = Arc::as_ptr(item).addr();
-            let own = names.within(TextRange::new(base, base + item.len()));
-            let kept = before.remove(&address).filter(|kept| {
-                (!kept.rests_on_properties || properties == self.properties)
+        let has_same_properties = properties == self.properties;
+        let parts: Vec<(u32, &Arc<Item>)> = cx.source.document.parts().collect();
+        let before = aligned(std::mem::take(&mut self.parts), &parts);
+        let mut rest = names.all();
+        let mut all = Vec::with_capacity(parts.len());
+        for (&(base, item), before) in parts.iter().zip(before) {
+            let end = base + item.len();
+            let own = rest
+                .iter()
+                .take_while(|(place, _)| place.start < end)
+                .count();
+            let (own, others) = rest.split_at(own);
+            rest = others;
+            let kept = before.filter(|kept| {
+                !kept.rests_on_robot
+                    && (!kept.rests_on_properties || has_same_properties)
                     && same_names(&kept.names, own, base)
             });
-            let (found, part) = match kept {
-                Some(kept) => (kept.found.clone(), Some(kept)),
-                None => find(cx, &names, base, item, own),
-            };
-            self.parts.extend(part.map(|part| (address, part)));
-            all.push(found);
+            all.push(kept.unwrap_or_else(|| find(cx, &names, (base, item), own, &make)));
         }
-        (self.header, self.properties) = (header, properties);
-        debug_assert_eq!(joined(&all), super::tokens(cx, TextRange::new(0, u32::MAX)));
-        all
+        debug_assert!(all.iter().zip(&parts).all(|(kept, &part)| {
+            let fresh = find(cx, &names, part, &[], &make);
+            kept.made == fresh.made
+        }));
+        (self.parts, self.properties) = (all, properties);
+        self.parts.iter().map(|part| &part.made)
     }
 }
 
-/// The pieces of all parts, with their places in the file.
-fn joined(parts: &[PartTokens]) -> Vec<HighlightToken> {
-    let mut start = 0;
-    let mut all = Vec::new();
-    for PartTokens { item, tokens } in parts {
-        let shifted = |token: &HighlightToken| HighlightToken {
-            range: token.range.shift(start),
-            ..*token
-        };
-        all.extend(tokens.iter().map(shifted));
-        start += item.len();
-    }
-    all
+/// The parts from before, at the places where they are now: those in front of what was edited, and those after it.
+fn aligned<T>(before: Vec<KeptPart<T>>, parts: &[(u32, &Arc<Item>)]) -> Vec<Option<KeptPart<T>>> {
+    let is_same =
+        |(kept, (_, item)): &(&KeptPart<T>, &(u32, &Arc<Item>))| Arc::ptr_eq(&kept.item, item);
+    let front = before.iter().zip(parts).take_while(is_same).count();
+    let room = before.len().min(parts.len()) - front;
+    let from_end = before.iter().rev().zip(parts.iter().rev());
+    let end = match front {
+        // the first part defines entities
+        0 => 0,
+        _ => from_end.take(room).take_while(is_same).count(),
+    };
+    let edited = front..before.len() - end;
+    let mut aligned: Vec<_> = before.into_iter().map(Some).collect();
+    let others = std::iter::repeat_with(|| None).take(parts.len() - front - end);
+    aligned.splice(edited, others);
+    aligned
 }
 
-/// The pieces of a part, and what is kept of them.
-fn find<'a>(
+/// The pieces of a part that begins at `base`.
+fn find<'a, T>(
     cx: &Cx<'a>,
     names: &KnownNames<'a>,
-    base: u32,
-    item: &Arc<Item>,
+    (base, item): (u32, &Arc<Item>),
     own: &[KnownName],
-) -> (PartTokens, Option<KeptPart>) {
+    make: impl Fn(&str, &[HighlightToken]) -> T,
+) -> KeptPart<T> {
     let mut collector = Collector::new(cx, names);
     let mut tokens = collector.part(base, item);
     for token in &mut tokens {
         token.range = from_start(token.range, base);
     }
-    let found = PartTokens {
+    KeptPart {
         item: item.clone(),
-        tokens: tokens.into(),
-    };
-    let kept = KeptPart {
-        found: found.clone(),
+        made: make(item.text(), &tokens),
         names: own
             .iter()
             .map(|(place, kind)| (from_start(*place, base), *kind))
             .collect(),
         rests_on_properties: collector.rests_on_properties.get(),
-    };
-    (found, (!collector.rests_on_robot.get()).then_some(kept))
+        rests_on_robot: collector.rests_on_robot.get(),
+    }
 }
 
 fn same_names(kept: &[KnownName], own: &[KnownName], base: u32) -> bool {

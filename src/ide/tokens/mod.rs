@@ -10,7 +10,7 @@ use std::cell::Cell;
 use super::context::Cx;
 use super::hover::condition;
 use base::TextRange;
-pub use kept::{KeptTokens, PartTokens};
+pub use kept::KeptTokens;
 use names::KnownNames;
 use xml::{Item, Node, NodeKind};
 

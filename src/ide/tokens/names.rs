@@ -51,15 +51,9 @@ impl<'a> KnownNames<'a> {
         }
     }
 
-    /// The names that begin in a part of the file.
-    pub fn within(&self, part: TextRange) -> &[KnownName] {
-        let before = |offset: u32| {
-            self.known
-                .partition_point(|(place, _)| place.start < offset)
-        };
-        self.known
-            .get(before(part.start)..before(part.end))
-            .unwrap_or_default()
+    /// All of them, by their places in the file.
+    pub fn all(&self) -> &[KnownName] {
+        &self.known
     }
 
     /// What the name at a place is.

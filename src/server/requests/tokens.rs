@@ -1,6 +1,5 @@
 //! Semantic tokens, all, changed or of a range.
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 use lsp_types::{
     SemanticToken, SemanticTokenModifier, SemanticTokens, SemanticTokensDelta,
@@ -16,7 +15,7 @@ use crate::failure::RequestFailure;
 use crate::requests::navigation::asked;
 use crate::state::ServerState;
 use base::CancelFlag;
-use ide::{self, PartTokens};
+use ide::{self, HighlightToken};
 
 /// What the server offers.
 pub(crate) fn offered() -> SemanticTokensOptions {
@@ -101,19 +100,12 @@ fn token_data(
     let asked = asked(state, &start_of(document), cancel)?;
     let path = asked.source.path.to_path_buf();
     let sent = state.sent.tokens.entry(path.clone()).or_default();
-    let parts = sent.kept.renew(&asked.cx());
-    let mut before = std::mem::take(&mut sent.encoded);
+    let encoding = state.encoding;
+    let encoded = |text: &str, tokens: &[HighlightToken]| EncodedPart::of(text, tokens, encoding);
     let mut joined = JoinedTokens::default();
-    for PartTokens { item, tokens } in parts {
-        // without pieces, all are the same empty list
-        let address = (Arc::as_ptr(&item).addr(), tokens.as_ptr().addr());
-        let part = before.remove(&address).unwrap_or_else(|| {
-            let part = EncodedPart::of(item.text(), &tokens, state.encoding);
-            (item, tokens, Arc::new(part))
-        });
-        joined.add(&part.2);
-        sent.encoded.insert(address, part);
-    }
+    let cx = asked.cx();
+    let parts = sent.kept.renew(&cx, encoded);
+    parts.for_each(|part| joined.add(part));
     Ok((path, joined.data))
 }
 
