@@ -65,8 +65,10 @@ static CONTACT: [&Rule; 3] = [
     &geometry::mesh_inconsistent_normals::RULE,
 ];
 
-static SIMULATION: [&Rule; 7] = [
+static SIMULATION: [&Rule; 9] = [
     &control::gazebo_link_settings_on_joint::RULE,
+    &control::gazebo_unknown_element::RULE,
+    &control::gazebo_unknown_material::RULE,
     &control::gazebo_unknown_reference::RULE,
     &control::plugin_unknown_frame::RULE,
     &control::sdf_surface::RULE,
@@ -75,9 +77,11 @@ static SIMULATION: [&Rule; 7] = [
     &joint::mimic_range_exceeds_limits::RULE,
 ];
 
-static GAZEBO: [&Rule; 11] = [
+static GAZEBO: [&Rule; 13] = [
     &control::gazebo_link_settings_on_joint::RULE,
     &control::gazebo_missing_reference::RULE,
+    &control::gazebo_unknown_element::RULE,
+    &control::gazebo_unknown_material::RULE,
     &control::sdf_surface::RULE,
     &control::sensor_outside_gazebo::RULE,
     &control::gazebo_unknown_reference::RULE,

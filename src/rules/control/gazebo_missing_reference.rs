@@ -32,6 +32,9 @@ pub(super) const OF_LINKS: [&str; 12] = [
     "dampingFactor",
 ];
 
+/// What SDF has in links and in joints, but not in models.
+const COPIED: [&str; 2] = ["gravity", "sensor"];
+
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let tree = &cx.expansion.tree;
     for block in cx.robot.into_iter().flat_map(|robot| &robot.gazebo) {
@@ -41,7 +44,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let mut names = tree
             .elements(block.element)
             .map(|id| tree.get(id).text.as_str());
-        let Some(name) = names.find(|name| OF_LINKS.contains(name)) else {
+        let is_lost = |name: &&str| OF_LINKS.contains(name) || COPIED.contains(name);
+        let Some(name) = names.find(is_lost) else {
             continue;
         };
         let message = format!("`{name}` belongs to a link, but this `gazebo` has no `reference`");

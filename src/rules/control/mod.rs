@@ -12,6 +12,8 @@ mod gazebo_lumped_reference;
 pub(super) mod gazebo_missing_reference;
 mod gazebo_plugin_missing_filename;
 mod gazebo_ros;
+pub(super) mod gazebo_unknown_element;
+pub(super) mod gazebo_unknown_material;
 pub(super) mod gazebo_unknown_reference;
 mod hardware;
 mod joints;
@@ -39,6 +41,7 @@ mod ros2_control_plugin_mismatch;
 mod ros2_control_unknown_interface;
 mod ros2_control_unknown_joint;
 mod ros2_control_unknown_tag;
+mod sdf;
 pub(super) mod sdf_surface;
 pub(super) mod sensor_outside_gazebo;
 pub(super) mod transmission_missing_actuator;
@@ -96,4 +99,6 @@ pub(super) static RULES: &[&Rule] = &[
     &ros2_control_plugin_mismatch::RULE,
     &unknown_plugin_parameter::RULE,
     &sensor_outside_gazebo::RULE,
+    &gazebo_unknown_element::RULE,
+    &gazebo_unknown_material::RULE,
 ];
