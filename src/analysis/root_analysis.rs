@@ -11,7 +11,7 @@ use super::run_task::{expanded, request, run_rules};
 use super::session::Session;
 use base::CancelFlag;
 use base::limits::GLOB_ENTRIES;
-use expand::{Expansion, Read, Request, SymbolKind, Written, write_mapped};
+use expand::{Expansion, Read, SymbolKind, Written, write_mapped};
 use model::{Kinematics, Robot};
 use rules::{RobotNames, Settled};
 use vfs::Vfs;
@@ -222,17 +222,14 @@ pub(super) fn task_of(root: &RootConfig) -> CheckTask {
     }
 }
 
-/// The same, for somebody who keeps the expansion.
+/// The same, for somebody who needs the expansion as well, but expands nothing again.
 pub(super) fn run_kept(
     session: &Session,
     options: &CheckOptions,
     task: CheckTask,
 ) -> (RootResult, RootAnalysis) {
-    let kept = Request {
-        keep: true,
-        ..request(session, &options.cancel, &task)
-    };
-    let (expansion, is_as_called) = expanded(session, &task, &kept, None);
+    let request = request(session, &options.cancel, &task);
+    let (expansion, is_as_called) = expanded(session, &task, &request, None);
     let analyzed = RootAnalysis::new(task.root(), expansion, 0, None);
     let robot = analyzed.robot.as_ref();
     let expanded = (&analyzed.expansion, robot);

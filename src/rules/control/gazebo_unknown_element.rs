@@ -5,7 +5,7 @@ use super::super::grouping::Group;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::super::xml::tag_names;
-use super::sdf::{COPIED, SETTINGS, children_of, element_of, may_hold, near};
+use super::sdf::{COPIED, SETTINGS, children_of, element_of, has, may_hold, near};
 use expand::{XId, XTree};
 use model::{Gazebo, tag_start};
 use packages::nearest;
@@ -57,7 +57,7 @@ fn check_settings(cx: &DocumentCx<'_>, block: &Gazebo, out: &mut Sink<'_>) {
     let tree = &cx.expansion.tree;
     for id in tree.elements(block.element).take(MOST) {
         let name = tree.get(id).text.as_str();
-        if name.contains(':') || SETTINGS.contains(&name) || COPIED.contains(&name) {
+        if name.contains(':') || has(SETTINGS, name) || has(COPIED, name) {
             continue;
         }
         let meant = near(name, SETTINGS).map_or(Meant::Unknown, Meant::Name);

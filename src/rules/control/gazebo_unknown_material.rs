@@ -5,7 +5,7 @@ use super::super::finding::Help;
 use super::super::grouping::Group;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use super::sdf::{MATERIALS, near};
+use super::sdf::{MATERIALS, has, near};
 use model::AttrValue;
 
 pub(in super::super) static RULE: Rule = Rule {
@@ -43,15 +43,14 @@ fn check_name(cx: &DocumentCx<'_>, text: &AttrValue, out: &mut Sink<'_>) {
     // without it, the name may be one of a file of the robot's own
     let own = name.strip_prefix(START);
     let color = own.unwrap_or(name);
-    let is_known = |color: &str| MATERIALS.contains(&color);
+    let is_known = |color: &str| has(MATERIALS, color);
     if color.is_empty() || own.is_some_and(is_known) {
         return;
     }
     let meant = match own {
         Some(_) => near(color, MATERIALS),
         None => MATERIALS
-            .iter()
-            .copied()
+            .split_whitespace()
             .find(|known| known.eq_ignore_ascii_case(color)),
     };
     let severity = match (meant, own) {

@@ -5,61 +5,13 @@
 use packages::edit_distance;
 
 /// Settings that the URDF has for Gazebo.
-pub(super) const SETTINGS: &[&str] = &[
-    "canonicalBody",
-    "cfmDamping",
-    "dampingFactor",
-    "disableFixedJointLumping",
-    "fdir1",
-    "fudgeFactor",
-    "implicitSpringDamper",
-    "kd",
-    "kp",
-    "laserRetro",
-    "material",
-    "maxContacts",
-    "maxVel",
-    "minDepth",
-    "mu1",
-    "mu2",
-    "preserveFixedJoint",
-    "provideFeedback",
-    "selfCollide",
-    "springReference",
-    "springStiffness",
-    "static",
-    "stopCfm",
-    "stopErp",
-    "turnGravityOff",
-];
+pub(super) const SETTINGS: &str = "canonicalBody cfmDamping dampingFactor disableFixedJointLumping fdir1 fudgeFactor implicitSpringDamper kd kp laserRetro \
+    material maxContacts maxVel minDepth mu1 mu2 preserveFixedJoint provideFeedback selfCollide springReference \
+    springStiffness static stopCfm stopErp turnGravityOff";
 
 /// Elements of SDF that are copied into a link or a joint.
-pub(super) const COPIED: &[&str] = &[
-    "audio_sink",
-    "audio_source",
-    "axis",
-    "axis2",
-    "battery",
-    "collision",
-    "damping",
-    "enable_wind",
-    "frame",
-    "gravity",
-    "inertial",
-    "kinematic",
-    "light",
-    "must_be_base_link",
-    "origin",
-    "particle_emitter",
-    "physics",
-    "plugin",
-    "pose",
-    "projector",
-    "self_collide",
-    "sensor",
-    "velocity_decay",
-    "visual",
-];
+pub(super) const COPIED: &str = "audio_sink audio_source axis axis2 battery collision damping enable_wind frame gravity inertial kinematic light \
+    must_be_base_link origin particle_emitter physics plugin pose projector self_collide sensor velocity_decay visual";
 
 /// The elements of a sensor: each with what may stand in it, in any version of SDF. Elements that are not listed hold no others, or
 /// what others read.
@@ -142,6 +94,11 @@ pub(super) fn children_of(element: &str) -> Option<impl Iterator<Item = &'static
     Some(children.split_whitespace())
 }
 
+/// Whether a list of words has one.
+pub(super) fn has(words: &str, word: &str) -> bool {
+    words.split_whitespace().any(|own| own == word)
+}
+
 /// Whether an element of a sensor may stand in another one.
 pub(super) fn may_hold(element: &str, name: &str) -> bool {
     children_of(element).is_some_and(|mut children| children.any(|child| child == name))
@@ -161,15 +118,14 @@ pub(super) fn element_of(kind: &str) -> Option<&'static str> {
 }
 
 /// The name that is meant by one with other capitals, with or without `_`, or with one letter wrong.
-pub(super) fn near(name: &str, known: &[&'static str]) -> Option<&'static str> {
+pub(super) fn near(name: &str, known: &'static str) -> Option<&'static str> {
     let folded = |name: &str| name.to_lowercase().replace('_', "");
     let own = folded(name);
     if own.len() > LONGEST {
         return None;
     }
-    let distances = known
-        .iter()
-        .map(|name| (edit_distance(&own, &folded(name)), *name));
+    let known = known.split_whitespace();
+    let distances = known.map(|name| (edit_distance(&own, &folded(name)), name));
     let (distance, best) = distances.min_by_key(|(distance, _)| *distance)?;
     let is_near = distance == 0 || distance == 1 && name.len().max(best.len()) > 2;
     is_near.then_some(best)
@@ -181,85 +137,14 @@ const LONGEST: usize = 40;
 /// The materials of Gazebo Classic that are meant for robots, after `Gazebo/`.
 ///
 /// Source: `gazebo.material` of Gazebo 2 to 11.
-pub(super) const MATERIALS: &[&str] = &[
-    "Black",
-    "BlackTransparent",
-    "Blue",
-    "BlueGlow",
-    "BlueLaser",
-    "BlueTransparent",
-    "BlueTransparentOverlay",
-    "Bricks",
-    "BuildingFrame",
-    "CeilingTiled",
-    "CloudySky",
-    "CoM",
-    "DarkGrey",
-    "DarkMagentaTransparent",
-    "DarkOrangeTransparentOverlay",
-    "DarkYellow",
-    "Editor",
-    "EditorPlane",
-    "FlatBlack",
-    "Footway",
-    "Gold",
-    "Grass",
-    "Gray",
-    "Green",
-    "GreenGlow",
-    "GreenTransparent",
-    "GreenTransparentOverlay",
-    "Grey",
-    "GreyGradientSky",
-    "GreyTransparent",
-    "Indigo",
-    "JointAnchor",
-    "Lane_1",
-    "Lanes_2",
-    "Lanes_4",
-    "Lanes_6",
-    "LightBlueLaser",
-    "LightOff",
-    "LightOn",
-    "Motorway",
-    "Orange",
-    "OrangeTransparent",
-    "OrangeTransparentOverlay",
-    "PaintedWall",
-    "Pedestrian",
-    "Pioneer2Body",
-    "PioneerBody",
-    "PointCloud",
-    "Primary",
-    "Purple",
-    "PurpleGlow",
-    "Red",
-    "RedBright",
-    "RedGlow",
-    "RedTransparent",
-    "RedTransparentOverlay",
-    "Residential",
-    "Road",
-    "Runway",
-    "Secondary",
-    "SkyBlue",
-    "Steps",
-    "Tertiary",
-    "Trunk",
-    "Turquoise",
-    "TurquoiseGlow",
-    "TurquoiseGlowOutline",
-    "White",
-    "WhiteGlow",
-    "WindowFrame",
-    "Wood",
-    "WoodFloor",
-    "WoodPallet",
-    "Yellow",
-    "YellowGlow",
-    "YellowTransparent",
-    "ZincYellow",
-];
+pub(super) const MATERIALS: &str = "Black BlackTransparent Blue BlueGlow BlueLaser BlueTransparent BlueTransparentOverlay Bricks BuildingFrame CeilingTiled \
+    CloudySky CoM DarkGrey DarkMagentaTransparent DarkOrangeTransparentOverlay DarkYellow Editor EditorPlane FlatBlack \
+    Footway Gold Grass Gray Green GreenGlow GreenTransparent GreenTransparentOverlay Grey GreyGradientSky GreyTransparent \
+    Indigo JointAnchor Lane_1 Lanes_2 Lanes_4 Lanes_6 LightBlueLaser LightOff LightOn Motorway Orange OrangeTransparent \
+    OrangeTransparentOverlay PaintedWall Pedestrian Pioneer2Body PioneerBody PointCloud Primary Purple PurpleGlow Red \
+    RedBright RedGlow RedTransparent RedTransparentOverlay Residential Road Runway Secondary SkyBlue Steps Tertiary Trunk \
+    Turquoise TurquoiseGlow TurquoiseGlowOutline White WhiteGlow WindowFrame Wood WoodFloor WoodPallet Yellow YellowGlow \
+    YellowTransparent ZincYellow";
 
 #[cfg(test)]
 mod tests {
@@ -268,7 +153,7 @@ mod tests {
     #[test]
     fn tables_are_sorted() {
         assert!(OF_SENSORS.is_sorted_by_key(|(name, _)| name));
-        assert!(MATERIALS.is_sorted());
+        assert!(MATERIALS.split_whitespace().is_sorted());
     }
 
     #[test]
