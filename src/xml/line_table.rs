@@ -9,7 +9,7 @@ use base::{Encoding, LineCol};
 /// What a question costs besides the bytes that are looked at for it, as bytes.
 const QUESTION: u32 = 256;
 /// Bytes between two entries.
-const STEP: usize = 256;
+const STEP: usize = 64;
 
 /// The table of a document, made when answers without it have cost as much as it costs. An edited document begins
 /// again.
