@@ -77,15 +77,17 @@ impl EntryTable {
         let mut entries = vec![LineEntry::default()];
         let mut now = LineEntry::default();
         let mut next = STEP;
+        let mut crlf = false;
         let mut chars = document.chars_from(0).peekable();
         while let Some(c) = chars.next() {
             let at = now.offset as usize;
-            if at >= next {
+            // between CR and LF, the line that ends is seen from its CR only
+            if at >= next && !crlf {
                 entries.push(now);
                 next = at + STEP;
             }
             let end = now.offset + c.len_utf8() as u32;
-            let crlf = c == '\r' && chars.peek().is_some_and(|&c| c == '\n');
+            crlf = c == '\r' && chars.peek().is_some_and(|&c| c == '\n');
             now.offset = end;
             if (c == '\n' || c == '\r') && !crlf {
                 now = LineEntry {
