@@ -4,6 +4,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::plugin_wheel_mismatch::{DRIVES, JOINTS, wheels};
 use super::plugins::plugins_of;
+use super::wheel_sizes::WheelPair;
 use expand::{XId, XTree};
 use model::AttrValue;
 
@@ -29,31 +30,59 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     for plugin in plugins_of(tree, cx.robot) {
         let file = AttrValue::attr(tree, plugin, "filename");
         let is_drive = |file: &AttrValue| DRIVES.iter().any(|part| file.value.contains(part));
-        let pair = file
-            .filter(is_drive)
-            .filter(|_| is_left_the_left(tree, plugin))
-            .and_then(|_| wheels(cx, tree, plugin));
-        let Some((message, help)) = pair.and_then(|pair| pair.exchanged()) else {
-            continue;
+        let pair = || wheels(cx, tree, plugin);
+        let found = match file.filter(is_drive).and_then(|_| sides(tree, plugin)) {
+            Some(Sides::AsNamed) => pair().and_then(|pair| {
+                let (message, help) = pair.exchanged()?;
+                Some((left_joint(tree, plugin)?, message, help))
+            }),
+            Some(Sides::Exchanged(mode)) => pair().filter(WheelPair::is_in_order).map(|pair| {
+                let [left, right] = pair.names();
+                let message = format!(
+                    "the robot turns the wrong way: in legacy mode, the plugin takes the left wheel `{left}` for the right one and \
+                     `{right}` for the left one"
+                );
+                (mode, message, "write <legacyMode>false</legacyMode>")
+            }),
+            None => None,
         };
-        let left = tree.elements(plugin).find(|&child| {
-            let name = tree.get(child).text.as_str();
-            JOINTS.iter().any(|[left, _]| *left == name)
-        });
-        let Some(joint) = left.and_then(|left| AttrValue::content(tree, left)) else {
-            continue;
-        };
-        out.report(joint.origin, message).help(help).done();
+        if let Some((text, message, help)) = found {
+            out.report(text.origin, message).help(help).done();
+        }
     }
 }
 
-/// Whether a plugin takes the joint that is called the left one for that, in all versions.
-fn is_left_the_left(tree: &XTree, plugin: XId) -> bool {
+/// Which wheels a plugin takes for the left and the right one.
+enum Sides {
+    /// Those of the joints that are called so, in all versions.
+    AsNamed,
+    /// The others, because the text says so.
+    Exchanged(AttrValue),
+}
+
+/// Which wheels a plugin takes for the left and the right one; none where that depends on its version.
+fn sides(tree: &XTree, plugin: XId) -> Option<Sides> {
     let value = |name: &str| {
         let mut all = tree.elements(plugin);
         let child = all.find(|&child| tree.get(child).text == name)?;
-        Some(AttrValue::content(tree, child)?.value.trim().to_owned())
+        AttrValue::content(tree, child)
     };
-    value(LEFT_IN_ROS1).is_none()
-        || value(LEGACY).is_some_and(|text| matches!(text.as_str(), "false" | "0"))
+    if value(LEFT_IN_ROS1).is_none() {
+        return Some(Sides::AsNamed);
+    }
+    let mode = value(LEGACY)?;
+    match mode.value.trim() {
+        "false" | "0" => Some(Sides::AsNamed),
+        "true" | "1" => Some(Sides::Exchanged(mode)),
+        _ => None,
+    }
+}
+
+/// What names the left joint.
+fn left_joint(tree: &XTree, plugin: XId) -> Option<AttrValue> {
+    let left = tree.elements(plugin).find(|&child| {
+        let name = tree.get(child).text.as_str();
+        JOINTS.iter().any(|[left, _]| *left == name)
+    });
+    AttrValue::content(tree, left?)
 }

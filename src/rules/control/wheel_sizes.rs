@@ -104,7 +104,7 @@ impl<'a> WheelPair<'a> {
             DriveLength::Separation => {
                 // the first wheels of each side need not be a pair
                 let distance = (left.center - right.center).dot(&left.axle).abs();
-                let names = [left, right].map(|wheel| wheel.link.shown());
+                let names = self.names();
                 let apart = format!(
                     "wheels `{}` and `{}` are {} m apart",
                     names[0],
@@ -130,25 +130,40 @@ impl<'a> WheelPair<'a> {
     /// What is wrong with the sides of the wheels, and what to do about it; none where they fit. With the axis of both pointing from the
     /// left wheel to the right one, a drive that is told to turn left turns right, wherever its front is.
     pub fn exchanged(&self) -> Option<(String, &'static str)> {
-        const LEVEL: f64 = 0.1;
-        const PARALLEL: f64 = 0.9;
-        /// In meters.
-        const LEAST: f64 = 0.02;
-        let (left, right) = (&self.left, &self.right);
-        let is_pair = left.axle.z.abs() < LEVEL && left.axle.dot(&right.axle) > PARALLEL;
-        let apart = (left.center - right.center).dot(&left.axle);
-        let (one, other) = (left.link.shown(), right.link.shown());
-        let what = if left.axle.y > 0.0 {
+        let [one, other] = self.names();
+        let what = if self.left.axle.y > 0.0 {
             "exchange the two joints"
         } else {
             "turn the axes of both joints around, or exchange the joints"
         };
-        (is_pair && apart < -LEAST).then(|| {
+        let points_to_right = self.axis_to_left().is_some_and(|apart| apart < 0.0);
+        points_to_right.then(|| {
             let message = format!(
                 "the robot turns the wrong way: the axis of the left wheel `{one}` points to the right wheel `{other}`"
             );
             (message, what)
         })
+    }
+
+    /// The names of the links of the wheels, the left one first.
+    pub fn names(&self) -> [&'a str; 2] {
+        [self.left.link.shown(), self.right.link.shown()]
+    }
+
+    /// Whether the left wheel is on the left, as the axes of both point.
+    pub fn is_in_order(&self) -> bool {
+        self.axis_to_left().is_some_and(|apart| apart > 0.0)
+    }
+
+    /// How far the left wheel is from the right one along the axis of both, in meters; none where they are no pair.
+    fn axis_to_left(&self) -> Option<f64> {
+        const LEVEL: f64 = 0.1;
+        const PARALLEL: f64 = 0.9;
+        const LEAST: f64 = 0.02;
+        let (left, right) = (&self.left, &self.right);
+        let is_pair = left.axle.z.abs() < LEVEL && left.axle.dot(&right.axle) > PARALLEL;
+        let apart = (left.center - right.center).dot(&left.axle);
+        (is_pair && apart.abs() > LEAST).then_some(apart)
     }
 
     fn radius_of_left(&self) -> String {
