@@ -37,10 +37,9 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
                 Some((left_joint(tree, plugin)?, message, help))
             }),
             Some(Sides::Exchanged(mode)) => pair().filter(WheelPair::is_in_order).map(|pair| {
-                let [left, right] = pair.names();
+                let [left, _] = pair.names();
                 let message = format!(
-                    "the robot turns the wrong way: in legacy mode, the plugin takes the left wheel `{left}` for the right one and \
-                     `{right}` for the left one"
+                    "the robot turns the wrong way: legacy mode takes the left wheel `{left}` for the right one"
                 );
                 (mode, message, "write <legacyMode>false</legacyMode>")
             }),
