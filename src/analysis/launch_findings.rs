@@ -11,6 +11,7 @@ use super::kept::is_launch_left_over;
 use super::launch_values::{outside_choices, value_findings};
 use super::launched_controllers::findings_of_spawners;
 use super::launched_descriptions::LaunchedDescriptions;
+use super::launched_hardware::findings_of_hardware;
 use super::launched_transforms::LaunchedTransforms;
 use super::options::CheckOptions;
 use super::session::Session;
@@ -44,6 +45,8 @@ pub(super) fn launch_findings(session: &Session, options: &CheckOptions) -> Vec<
         let mut transforms = LaunchedTransforms::new(session, &options.cancel);
         found.extend(transforms.findings(&folder, |_| true));
         found.extend(findings_of_spawners(session, &folder, |_| true));
+        let cancel = &options.cancel;
+        found.extend(findings_of_hardware(session, cancel, &folder, |_| true));
     }
     // folders may be inside of others
     let mut seen = FastSet::default();
@@ -82,6 +85,7 @@ pub(super) fn shown_launch_findings(
         let mut transforms = LaunchedTransforms::new(session, cancel);
         found.extend(transforms.findings(&top, is_shown));
         found.extend(findings_of_spawners(session, &top, is_shown));
+        found.extend(findings_of_hardware(session, cancel, &top, is_shown));
     }
     found
 }

@@ -1,18 +1,13 @@
 //! Transforms that launch files publish beside robots that have them already.
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+use super::called_robots::CalledRobots;
 use super::kept::is_launch_left_over;
-use super::root_analysis::task_of;
-use super::root_config::RootConfig;
-use super::run_task;
 use super::session::Session;
-use base::limits::CALL_RUNS;
 use base::{CancelFlag, Span};
-use expand::{Expansion, Request, expand};
+use expand::Expansion;
 use model::{Joint, JointType, Robot};
 use rules::{Finding, looping_transform, repeated_transform, span_of};
-use workspace::config::XacroArgs;
 use workspace::launch::StaticTransform;
 use workspace::{PublishedTransform, RobotCall};
 
@@ -27,7 +22,7 @@ const TOLERANCE: f64 = 1e-3;
 pub(super) struct LaunchedTransforms<'s> {
     session: &'s Session,
     cancel: &'s CancelFlag,
-    expanded: BTreeMap<(PathBuf, XacroArgs), Option<(Expansion, Robot)>>,
+    robots: CalledRobots<'s>,
 }
 
 impl<'s> LaunchedTransforms<'s> {
@@ -35,7 +30,7 @@ impl<'s> LaunchedTransforms<'s> {
         Self {
             session,
             cancel,
-            expanded: BTreeMap::new(),
+            robots: CalledRobots::new(session, cancel),
         }
     }
 
@@ -86,38 +81,7 @@ impl<'s> LaunchedTransforms<'s> {
         if !says(caller, PUBLISHER) || is_renamed(caller) || is_renamed(path) {
             return None;
         }
-        let file = call
-            .target
-            .clone()
-            .filter(|file| session.vfs.is_file(file))?;
-        let args = call.call.args.iter().filter_map(|argument| {
-            let value = argument.given(&session.packages, caller)?;
-            Some((argument.name.clone(), value))
-        });
-        let args: XacroArgs = args.collect();
-        let is_known = self.expanded.contains_key(&(file.clone(), args.clone()));
-        let of_this = self.expanded.keys().filter(|(other, _)| *other == file);
-        if !is_known && of_this.count() >= CALL_RUNS {
-            return None;
-        }
-        let cancel = self.cancel;
-        let expanded = || {
-            let root = RootConfig {
-                file: file.clone(),
-                args: args.clone(),
-                preset: None,
-            };
-            let request = Request {
-                probe: false,
-                args: args.clone(),
-                ..run_task::request(session, cancel, &task_of(&root))
-            };
-            let expansion = expand(run_task::sources(session), &request);
-            let robot = Robot::of(&expansion).filter(|_| !expansion.has_errors())?;
-            Some((expansion, robot))
-        };
-        let place = self.expanded.entry((file.clone(), args.clone()));
-        place.or_insert_with(expanded).as_ref()
+        self.robots.of(call)
     }
 }
 

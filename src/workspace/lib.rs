@@ -7,7 +7,7 @@ pub mod launch;
 mod left_out;
 
 pub use callers::{
-    Caller, Callers, Era, Excluded, GivenArg, PublishedTransform, Purpose, RobotCall,
+    Caller, Callers, ControlNode, Era, Excluded, GivenArg, PublishedTransform, Purpose, RobotCall,
     SpawnedControllers, downloads_data, has_name, is_page, without_comments,
 };
 pub use include_pattern::{

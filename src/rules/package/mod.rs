@@ -22,6 +22,7 @@ pub(super) mod package_not_found;
 mod resource_not_installed;
 mod spawned_controller_not_found;
 pub(super) mod unknown_launch_argument;
+mod unloadable_hardware;
 mod value_never_compared;
 mod value_outside_choices;
 mod xacro_not_in_package;
@@ -42,6 +43,7 @@ pub use package_not_found::missing_packages;
 pub(super) use package_not_found::{RULE as PACKAGE_NOT_FOUND, is_news, warn_once};
 pub use spawned_controller_not_found::spawned_controller_not_found;
 pub use unknown_launch_argument::unknown_launch_argument;
+pub use unloadable_hardware::unloadable_hardware;
 pub use value_never_compared::value_never_compared;
 pub use value_outside_choices::value_outside_choices;
 
@@ -67,4 +69,5 @@ pub(super) static RULES: &[&Rule] = &[
     &duplicate_transform::RULE,
     &installed_file_not_found::RULE,
     &spawned_controller_not_found::RULE,
+    &unloadable_hardware::RULE,
 ];

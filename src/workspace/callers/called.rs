@@ -3,8 +3,8 @@
 
 use std::path::{Path, PathBuf};
 
-use base::FastMap;
 use base::limits::{CALLER_CALLS, LAUNCH_INCLUDES};
+use base::{FastMap, TextRange};
 
 use super::choices::{Excluded, excluded};
 use super::uses::{Uses, search};
@@ -46,6 +46,17 @@ pub struct SpawnedControllers {
     pub controllers: Vec<SpawnedController>,
 }
 
+/// A node that loads the hardware of a robot, whenever its launch file is started.
+#[derive(Clone, Debug)]
+pub struct ControlNode {
+    /// The launch file.
+    pub file: PathBuf,
+    /// Where it is started.
+    pub range: TextRange,
+    /// The launch file, and those that it includes.
+    pub started: Vec<PathBuf>,
+}
+
 /// What the launch files below a folder say.
 pub(super) struct LaunchCalls {
     pub calls: Arc<Vec<RobotCall>>,
@@ -55,6 +66,8 @@ pub(super) struct LaunchCalls {
     pub transforms: Arc<Vec<PublishedTransform>>,
     /// The controllers that they start.
     pub spawned: Arc<Vec<SpawnedControllers>>,
+    /// The nodes that load hardware.
+    pub control_nodes: Arc<Vec<ControlNode>>,
     /// The values that choices rule out.
     pub excluded: Arc<Vec<Excluded>>,
 }
@@ -86,6 +99,11 @@ impl Callers {
     /// The controllers that launch files below a folder start, in the order of the paths of the files.
     pub fn spawned_below(&self, top: &Path) -> Arc<Vec<SpawnedControllers>> {
         self.called_below(top).spawned.clone()
+    }
+
+    /// The nodes that load hardware in launch files below a folder, in the order of the paths of the files.
+    pub fn control_nodes_below(&self, top: &Path) -> Arc<Vec<ControlNode>> {
+        self.called_below(top).control_nodes.clone()
     }
 
     /// What the launch files below a folder say.
@@ -155,7 +173,17 @@ fn all(uses: &Uses, packages: &Packages) -> LaunchCalls {
         controllers: spawned_in(file),
     });
     let spawned = spawned.filter(|one| !one.controllers.is_empty());
+    let control_nodes = files.iter().flat_map(|file| {
+        let always = file.control_nodes.iter();
+        let always = always.filter(|command| command.assumed.is_empty());
+        always.map(|command| ControlNode {
+            file: file.path.clone(),
+            range: command.range,
+            started: started_by(file, &by_path, packages),
+        })
+    });
     LaunchCalls {
+        control_nodes: Arc::new(control_nodes.collect()),
         calls: with_targets(found.calls, packages),
         loads: with_targets(found.loads, packages),
         transforms: Arc::new(transforms.collect()),

@@ -22,7 +22,7 @@ mod text_words;
 mod uses;
 mod walk;
 
-pub use called::{PublishedTransform, RobotCall, SpawnedControllers};
+pub use called::{ControlNode, PublishedTransform, RobotCall, SpawnedControllers};
 pub use caller::{Caller, GivenArg};
 pub use choices::Excluded;
 pub use era::Era;

@@ -54,6 +54,8 @@ pub struct LaunchFile {
     pub transforms: Vec<LaunchCommand>,
     /// The words of spawners of controllers.
     pub spawners: Vec<LaunchCommand>,
+    /// Nodes that load the hardware of a robot themselves.
+    pub control_nodes: Vec<LaunchCommand>,
     /// Launch files that it includes.
     pub includes: Vec<LaunchInclude>,
     /// Arguments that it sets while it runs.
@@ -202,6 +204,9 @@ const TRANSFORM_PUBLISHER: &str = "static_transform_publisher";
 /// The program that has a controller manager start controllers.
 const SPAWNER: &str = "spawner";
 
+/// The program that loads the hardware of a robot and runs its controllers.
+const CONTROL_NODE: &str = "ros2_control_node";
+
 /// Read a file; none when nothing in it can call xacro or load a description.
 pub fn read(path: &Path, text: &str) -> Option<LaunchFile> {
     if !may_call(text) {
@@ -221,6 +226,7 @@ pub fn read(path: &Path, text: &str) -> Option<LaunchFile> {
         &file.loads,
         &file.transforms,
         &file.spawners,
+        &file.control_nodes,
     ];
     let is_empty = commands.into_iter().all(Vec::is_empty) && file.includes.is_empty();
     (!is_empty).then_some(file)

@@ -10,7 +10,7 @@ use super::command::is_xacro_program;
 use super::element;
 use super::text::Text;
 use super::{
-    CommandForm, DeclaredArgument, LaunchCommand, LaunchFile, LaunchInclude, SPAWNER,
+    CONTROL_NODE, CommandForm, DeclaredArgument, LaunchCommand, LaunchFile, LaunchInclude, SPAWNER,
     TRANSFORM_PUBLISHER,
 };
 
@@ -84,6 +84,11 @@ impl LaunchXmlReader {
         }
         for attribute in node.attributes() {
             let range = range(attribute.range_value());
+            if attribute.name() == "exec" && attribute.value() == CONTROL_NODE {
+                let words = CommandForm::Words(Vec::new());
+                let command = LaunchCommand::at(range, words, self.assumed.clone());
+                command.add_to(&mut self.file.control_nodes);
+            }
             if attribute.name() == "command" && node.tag_name().name() == "param" {
                 let line = self.text(attribute.value(), Some(range));
                 self.command(range, line, false);

@@ -8,7 +8,8 @@ use super::value::PythonValue;
 use super::{Deferred, PythonReader};
 use crate::launch::text::Text;
 use crate::launch::{
-    CommandForm, DeclaredArgument, LaunchCommand, LaunchInclude, SPAWNER, TRANSFORM_PUBLISHER,
+    CONTROL_NODE, CommandForm, DeclaredArgument, LaunchCommand, LaunchInclude, SPAWNER,
+    TRANSFORM_PUBLISHER,
 };
 
 /// What a condition around a node or an include may read.
@@ -304,21 +305,30 @@ impl PythonReader<'_> {
     /// The words that a node is started with: a spawner or a publisher is told its description.
     fn arguments_of(&mut self, range: TextRange, args: &PythonArgs) {
         let given = args.named.iter().find(|(name, _)| name == "arguments");
-        let Some((_, PythonValue::List(words))) = given else {
-            return;
+        let words = match given {
+            Some((_, PythonValue::List(words))) => Some(words.iter().cloned()),
+            _ => None,
         };
-        let words = words.iter().cloned().map(PythonValue::written).collect();
-        let words = CommandForm::Words(words);
         let is_of = |program: &str| {
             args.named.iter().any(|(name, value)| {
                 name.ends_with("executable")
                     && matches!(value, PythonValue::Text(text) if text.literal().as_deref() == Some(program))
             })
         };
-        let mut command = LaunchCommand::at(range, words.clone(), self.assumed.clone());
-        if args.named.iter().any(|(name, _)| name == CONDITION) {
-            command.assumed.push(CONDITION.to_owned());
+        let command = |words| {
+            let mut command = LaunchCommand::at(range, words, self.assumed.clone());
+            if args.named.iter().any(|(name, _)| name == CONDITION) {
+                command.assumed.push(CONDITION.to_owned());
+            }
+            command
+        };
+        if is_of(CONTROL_NODE) {
+            let command = command(CommandForm::Words(Vec::new()));
+            return command.add_to(&mut self.found.control_nodes);
         }
+        let Some(words) = words else { return };
+        let words = CommandForm::Words(words.map(PythonValue::written).collect());
+        let command = command(words.clone());
         if is_of(TRANSFORM_PUBLISHER) {
             command.add_to(&mut self.found.transforms);
         } else if SPAWNERS.into_iter().any(is_of) {

@@ -12,12 +12,13 @@ pub(super) struct Assignment {
     pub value: TextRange,
 }
 
-/// Leave out publishers and spawners that stand only in values of variables which nothing reads, other than such values.
+/// Leave out publishers, spawners and nodes of hardware that stand only in values of variables which nothing reads, other than such values.
 pub(super) fn leave_out(file: &mut LaunchFile, text: &str, assignments: &[Assignment]) {
     /// Each variable is compared with all others, and each of its places.
     const MOST: usize = 300;
     const MOST_PLACES: usize = 5_000;
-    if file.transforms.is_empty() && file.spawners.is_empty() || assignments.len() > MOST {
+    let nodes = [&file.transforms, &file.spawners, &file.control_nodes];
+    if nodes.into_iter().all(Vec::is_empty) || assignments.len() > MOST {
         return;
     }
     let places = places(text, assignments);
@@ -53,6 +54,7 @@ pub(super) fn leave_out(file: &mut LaunchFile, text: &str, assignments: &[Assign
     };
     file.transforms.retain(is_started);
     file.spawners.retain(is_started);
+    file.control_nodes.retain(is_started);
 }
 
 /// Where the names of variables stand in a text, outside of comments.
