@@ -34,6 +34,7 @@ pub(super) fn findings_of_hardware(
     let asked = nodes.iter().filter(|one| {
         is_asked(&one.file)
             && !session.settings(&one.file).excludes(&one.file)
+            && is_named_around(session, &one.file)
             && !is_launch_left_over(session, &one.file)
     });
     let mut found = Vec::new();
@@ -44,6 +45,14 @@ pub(super) fn findings_of_hardware(
         found.extend(unloadable(session, &mut robots, top, node));
     }
     found
+}
+
+/// Whether any description around a launch file has such hardware: no robot need be expanded otherwise.
+fn is_named_around(session: &Session, launch: &Path) -> bool {
+    let descriptions = session.callers.descriptions(launch);
+    let names = |text: &str| OF_GAZEBO.iter().any(|start| text.contains(start));
+    let mut all = descriptions.iter();
+    all.any(|file| session.packages.is_text(file, names))
 }
 
 fn unloadable(

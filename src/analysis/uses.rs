@@ -55,6 +55,12 @@ pub(super) fn settle_by_use(session: &Session, task: &CheckTask, findings: &mut 
             .run_isaac_alone(file)
             .then_some(Severity::Info)
     });
+    // a launch file or program may place the frame that Gazebo makes up
+    lower_where(findings, about(named::SENSOR_WITHOUT_FRAME), || {
+        let callers = &session.callers;
+        let is_placed = callers.quote(file, "frame_id") || callers.place_frames(file);
+        is_placed.then_some(Severity::Info)
+    });
     // what xacro made on another computer is often kept, and no simulator reads it
     let is_elsewhere = |finding: &Finding| {
         finding.rule == named::PLUGIN_FILE_NOT_FOUND && finding.message.starts_with("file `/")

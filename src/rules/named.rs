@@ -7,6 +7,8 @@ use super::{
 
 /// `gazebo-unknown-reference`
 pub const GAZEBO_UNKNOWN_REFERENCE: &Rule = &control::gazebo_unknown_reference::RULE;
+/// `sensor-without-frame`
+pub const SENSOR_WITHOUT_FRAME: &Rule = &control::sensor_without_frame::RULE;
 /// `controller-without-parameters`
 pub const CONTROLLER_WITHOUT_PARAMETERS: &Rule = &control::controller_without_parameters::RULE;
 /// `kinematics-unknown-group`

@@ -65,7 +65,7 @@ static CONTACT: [&Rule; 3] = [
     &geometry::mesh_inconsistent_normals::RULE,
 ];
 
-static SIMULATION: [&Rule; 9] = [
+static SIMULATION: [&Rule; 10] = [
     &control::gazebo_link_settings_on_joint::RULE,
     &control::gazebo_unknown_element::RULE,
     &control::gazebo_unknown_material::RULE,
@@ -73,17 +73,19 @@ static SIMULATION: [&Rule; 9] = [
     &control::plugin_unknown_frame::RULE,
     &control::sdf_surface::RULE,
     &control::sensor_outside_gazebo::RULE,
+    &control::sensor_without_frame::RULE,
     &control::unknown_plugin_parameter::RULE,
     &joint::mimic_range_exceeds_limits::RULE,
 ];
 
-static GAZEBO: [&Rule; 13] = [
+static GAZEBO: [&Rule; 14] = [
     &control::gazebo_link_settings_on_joint::RULE,
     &control::gazebo_missing_reference::RULE,
     &control::gazebo_unknown_element::RULE,
     &control::gazebo_unknown_material::RULE,
     &control::sdf_surface::RULE,
     &control::sensor_outside_gazebo::RULE,
+    &control::sensor_without_frame::RULE,
     &control::gazebo_unknown_reference::RULE,
     &control::plugin_file_not_found::RULE,
     &control::plugin_unknown_frame::RULE,

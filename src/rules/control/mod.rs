@@ -44,6 +44,7 @@ mod ros2_control_unknown_tag;
 mod sdf;
 pub(super) mod sdf_surface;
 pub(super) mod sensor_outside_gazebo;
+pub(super) mod sensor_without_frame;
 pub(super) mod transmission_missing_actuator;
 pub(super) mod transmission_missing_hardware_interface;
 pub(super) mod transmission_unknown_joint;
@@ -101,4 +102,5 @@ pub(super) static RULES: &[&Rule] = &[
     &sensor_outside_gazebo::RULE,
     &gazebo_unknown_element::RULE,
     &gazebo_unknown_material::RULE,
+    &sensor_without_frame::RULE,
 ];

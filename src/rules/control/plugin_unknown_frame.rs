@@ -24,7 +24,7 @@ pub(in super::super) static RULE: Rule = Rule {
 };
 
 /// What sensors of Gazebo call the frame of their data.
-const OF_SENSORS: [&str; 2] = ["gz_frame_id", "ignition_frame_id"];
+pub(super) const OF_SENSORS: [&str; 2] = ["gz_frame_id", "ignition_frame_id"];
 
 /// What the plugins of sensors call it, in ROS 2 and in ROS 1.
 ///
@@ -101,7 +101,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
 }
 
 /// The sensors, each with the link that it is meant for, in document order.
-fn sensors<'a>(cx: &RobotCx<'a>) -> Vec<(Option<&'a str>, XId)> {
+pub(super) fn sensors<'a>(cx: &RobotCx<'a>) -> Vec<(Option<&'a str>, XId)> {
     let tree = &cx.expansion.tree;
     let blocks = cx.robot.gazebo.iter();
     let sensors = blocks.flat_map(|block| {

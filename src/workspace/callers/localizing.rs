@@ -23,6 +23,9 @@ const WORDS: [&str; 12] = [
     "SLAM",
 ];
 
+/// What publishes transforms that do not change.
+const PLACES: [&str; 2] = ["static_transform", "StaticTransform"];
+
 impl Callers {
     /// Whether a launch file, program, setting or page around a description names a program that localizes robots; also where not all
     /// of them are known, or nothing runs.
@@ -37,6 +40,12 @@ impl Callers {
     /// where not all of them are known.
     pub fn say_name(&self, file: &Path, name: &str) -> bool {
         self.any_text(file, |text| read::has_name(text, name))
+    }
+
+    /// Whether a launch file, program, setting or page around a description publishes transforms that do not change; also where not all
+    /// of them are known.
+    pub fn place_frames(&self, file: &Path) -> bool {
+        self.any_text(file, |text| has_any(text, &PLACES))
     }
 
     /// Whether something holds for a text around a description that may start programs, without its comments; also where not all of
