@@ -29,7 +29,7 @@ def base(name, wheels, radius, simulation):
       </inertial>
     </link>
     <gazebo reference="${name}_link">
-      <sensor name="${name}" type="gpu_lidar">
+      <sensor name="${name}" type="gpu_ray">
         <update_rate>${rate}</update_rate>
       </sensor>
     </gazebo>
