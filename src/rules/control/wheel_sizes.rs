@@ -6,7 +6,9 @@ use model::{Body, Bounds, Joint, JointType, Kinematics, Link, Robot, ShapeKind, 
 
 /// By which factor two lengths differ at least, so that none of them is a rounded or tuned value of the other.
 const MISMATCH: f64 = 1.3;
-/// The same of a separation that is too small: wheels that slip make it larger.
+/// The same of a separation that is too large, which some measure between the outer sides of the wheels.
+const TOO_FAR: f64 = 1.2;
+/// The same of one that is too small: wheels that slip make it larger.
 const TOO_CLOSE: f64 = 1.15;
 /// By which factor the wheels of one size differ at most.
 const SAME_SIZE: f64 = 1.1;
@@ -119,7 +121,7 @@ impl<'a> WheelPair<'a> {
         };
         let (least, most) = match kind {
             DriveLength::Separation if self.is_skidding => (TOO_CLOSE, f64::INFINITY),
-            DriveLength::Separation => (TOO_CLOSE, MISMATCH),
+            DriveLength::Separation => (TOO_CLOSE, TOO_FAR),
             _ => (MISMATCH, MISMATCH),
         };
         let differs = said > 0.0 && real > 0.0 && (said * least < real || said > real * most);
