@@ -54,6 +54,8 @@ fn check_name(cx: &DocumentCx<'_>, text: &AttrValue, out: &mut Sink<'_>) {
             .find(|known| known.eq_ignore_ascii_case(color)),
     };
     let severity = match (meant, own) {
+        // as which Gazebo shows what it does not know
+        (Some("White"), _) => Severity::Info,
         (Some(_), _) => RULE.severity,
         (None, Some(_)) => Severity::Info,
         (None, None) => return,
@@ -66,7 +68,6 @@ fn check_name(cx: &DocumentCx<'_>, text: &AttrValue, out: &mut Sink<'_>) {
         let help = "choose one of `gazebo.material`, or remove it: newer versions of Gazebo take the color of the `visual`";
         return report.help(help).done();
     };
-    let report =
-        report.help(Help::did_you_mean(&meant).and("Gazebo shows the link without a color"));
+    let report = report.help(Help::did_you_mean(&meant).and("Gazebo shows the link in white"));
     rename(report, cx.expansion, text, &meant).done();
 }
