@@ -563,3 +563,25 @@ fn fans_of_ros2_control_before_jazzy() {
     assert_eq!(of("state", "For Jazzy."), Some(Severity::Error));
     assert_eq!(of("position", "For Humble."), Some(Severity::Error));
 }
+
+#[test]
+fn frames_of_sensors_that_a_launch_file_may_place() {
+    let robot = "<robot name='r'><link name='base'/><gazebo reference='base'><sensor name='scan' type='gpu_lidar'/></gazebo></robot>";
+    let of = |other: &str| {
+        let files = [
+            MANIFEST,
+            ("urdf/r.urdf", robot),
+            (
+                "launch/sim.launch.py",
+                "get_package_share_directory('arm') + '/urdf/r.urdf', Node(package='ros_gz_sim')",
+            ),
+            ("launch/other.launch.py", other),
+        ];
+        severity("sensor-without-frame", &files)
+    };
+    assert_eq!(of("Node(package='slam_toolbox')"), Some(Severity::Warning));
+    assert_eq!(
+        of("Node(executable='static_transform_publisher')"),
+        Some(Severity::Info)
+    );
+}

@@ -181,6 +181,7 @@ impl CMakeReader<'_> {
     }
 
     fn repeat(&mut self, command: &CMakeCommand, body: &[CMakeCommand], here: CMakeFile<'_>) {
+        required::note_loop(self, command);
         let words = self.words(&command.arguments);
         let here = CMakeFile {
             depth: here.depth + 1,

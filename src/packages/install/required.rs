@@ -67,6 +67,21 @@ pub(super) fn note(reader: &mut CMakeReader<'_>, command: &CMakeCommand, here: C
     }
 }
 
+/// A loop over a list that a condition decides is about what may be there.
+pub(super) fn note_loop(reader: &mut CMakeReader<'_>, command: &CMakeCommand) {
+    let Some((variable, list)) = command.arguments.split_first() else {
+        return;
+    };
+    let is_uncertain = |name: &String| {
+        let value = format!("${{{name}}}");
+        list.iter()
+            .any(|one| one.text == *name || one.text.contains(&value))
+    };
+    if reader.uncertain.iter().any(is_uncertain) {
+        reader.uncertain.insert(variable.text.clone());
+    }
+}
+
 fn required(
     reader: &CMakeReader<'_>,
     command: &CMakeCommand,

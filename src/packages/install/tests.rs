@@ -377,6 +377,16 @@ fn what_is_installed_and_not_there() {
             "if(EXISTS meshes)\nlist(APPEND DIRS meshes)\nendif()\ninstall(DIRECTORY ${DIRS} DESTINATION share/demo)",
             "",
         ),
+        (
+            "set(DIRS urdf)\nif(EXISTS meshes)\nlist(APPEND DIRS meshes)\nendif()\nforeach(d ${DIRS})\n\
+             install(DIRECTORY ${d} DESTINATION share/demo)\nendforeach()",
+            "",
+        ),
+        (
+            "set(DIRS urdf)\nif(EXISTS meshes)\nlist(APPEND DIRS meshes)\nendif()\nforeach(d IN LISTS DIRS)\n\
+             install(DIRECTORY ${d} DESTINATION share/demo)\nendforeach()",
+            "",
+        ),
         // not known
         ("install(DIRECTORY ${MESHES} DESTINATION share/demo)", ""),
         (

@@ -28,20 +28,29 @@ fn check(cx: &DocumentCx<'_>, link: &Link, out: &mut Sink<'_>) {
     else {
         return;
     };
-    if let Some(word) = RESERVED.iter().find(|word| prefix_of(name, word).is_some()) {
+    let found = |word: &&'static str| Some((*word, prefix_of(name, word)?));
+    if let Some((word, prefix)) = RESERVED.iter().find_map(found) {
         out.report(
             text.origin,
             format!("link `{name}` has the name of a frame that localization publishes"),
         )
-        .severity(match is_set_free(cx, name) {
-            true => Severity::Info,
-            false => RULE.severity,
+        .severity(if is_set_free(cx, name) || !is_of_robot(cx, prefix) {
+            Severity::Info
+        } else {
+            RULE.severity
         })
         .help(format!(
             "remove or rename the link (`world` is allowed); `{word}` is not part of the robot"
         ))
         .done();
     }
+}
+
+/// Whether a prefix is one of the robot: its base has it, too.
+fn is_of_robot(cx: &DocumentCx<'_>, prefix: &str) -> bool {
+    const BASES: [&str; 2] = ["base_link", "base_footprint"];
+    let is_there = |base: &&str| cx.links_named(&format!("{prefix}{base}")).next().is_some();
+    prefix.is_empty() || BASES.iter().any(is_there)
 }
 
 /// Whether only joints that move hang on a link, and none fixes it: robot_state_publisher publishes none of them by itself, and a base
