@@ -6,13 +6,14 @@ use std::sync::Arc;
 use ecow::EcoString;
 
 use super::argument_places::argument_place;
+use super::called_robots::CalledRobots;
 use super::declared::KnownArguments;
 use super::kept::is_launch_left_over;
 use super::launch_values::{outside_choices, value_findings};
 use super::launched_controllers::findings_of_spawners;
 use super::launched_descriptions::LaunchedDescriptions;
 use super::launched_hardware::findings_of_hardware;
-use super::launched_transforms::LaunchedTransforms;
+use super::launched_transforms::findings_of_transforms;
 use super::options::CheckOptions;
 use super::session::Session;
 use super::uses::is_example_of_driver;
@@ -31,6 +32,8 @@ pub(super) fn launch_findings(session: &Session, options: &CheckOptions) -> Vec<
     if !options.entries.is_empty() {
         return found;
     }
+    let cancel = &options.cancel;
+    let mut robots = CalledRobots::new(session, cancel);
     let folders = options.paths.iter().map(|path| session.vfs.absolute(path));
     for folder in folders.filter(|path| session.vfs.is_dir(path)) {
         findings_of_calls(
@@ -42,11 +45,21 @@ pub(super) fn launch_findings(session: &Session, options: &CheckOptions) -> Vec<
         );
         findings_of_loads(session, &session.callers.loads_below(&folder), &mut found);
         found.extend(outside_choices(session, &folder, |_| true));
-        let mut transforms = LaunchedTransforms::new(session, &options.cancel);
-        found.extend(transforms.findings(&folder, |_| true));
+        found.extend(findings_of_transforms(
+            session,
+            cancel,
+            &mut robots,
+            &folder,
+            |_| true,
+        ));
         found.extend(findings_of_spawners(session, &folder, |_| true));
-        let cancel = &options.cancel;
-        found.extend(findings_of_hardware(session, cancel, &folder, |_| true));
+        found.extend(findings_of_hardware(
+            session,
+            cancel,
+            &mut robots,
+            &folder,
+            |_| true,
+        ));
     }
     // folders may be inside of others
     let mut seen = FastSet::default();
@@ -74,6 +87,7 @@ pub(super) fn shown_launch_findings(
     let tops = launch_files
         .iter()
         .filter_map(|path| session.packages.sources_around(path));
+    let mut called = CalledRobots::new(session, cancel);
     for top in tops.collect::<BTreeSet<PathBuf>>() {
         let mut loads = session.callers.loads_below(&top).to_vec();
         loads.retain(|load| launch_files.contains(&&load.call.caller));
@@ -82,10 +96,21 @@ pub(super) fn shown_launch_findings(
             launch_files.contains(&path)
         }));
         let is_shown = |path: &PathBuf| launch_files.contains(&path);
-        let mut transforms = LaunchedTransforms::new(session, cancel);
-        found.extend(transforms.findings(&top, is_shown));
+        found.extend(findings_of_transforms(
+            session,
+            cancel,
+            &mut called,
+            &top,
+            is_shown,
+        ));
         found.extend(findings_of_spawners(session, &top, is_shown));
-        found.extend(findings_of_hardware(session, cancel, &top, is_shown));
+        found.extend(findings_of_hardware(
+            session,
+            cancel,
+            &mut called,
+            &top,
+            is_shown,
+        ));
     }
     found
 }

@@ -1,4 +1,5 @@
 //! Nodes that load the hardware of robots, compared with the robots that they are started with.
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use super::called_robots::CalledRobots;
@@ -26,15 +27,15 @@ const PROGRAM: &str = "ros2_control_node";
 pub(super) fn findings_of_hardware(
     session: &Session,
     cancel: &CancelFlag,
+    robots: &mut CalledRobots<'_>,
     top: &Path,
     is_asked: impl Fn(&PathBuf) -> bool,
 ) -> Vec<Finding> {
     let nodes = session.callers.control_nodes_below(top);
-    let mut robots = CalledRobots::new(session, cancel);
+    let mut named: BTreeMap<Option<PathBuf>, bool> = BTreeMap::new();
     let asked = nodes.iter().filter(|one| {
         is_asked(&one.file)
             && !session.settings(&one.file).excludes(&one.file)
-            && is_named_around(session, &one.file)
             && !is_launch_left_over(session, &one.file)
     });
     let mut found = Vec::new();
@@ -42,7 +43,11 @@ pub(super) fn findings_of_hardware(
         if cancel.is_cancelled() {
             break;
         }
-        found.extend(unloadable(session, &mut robots, top, node));
+        let around = session.packages.sources_around(&node.file);
+        let is_named = named.entry(around);
+        if *is_named.or_insert_with(|| is_named_around(session, &node.file)) {
+            found.extend(unloadable(session, robots, top, node));
+        }
     }
     found
 }
@@ -68,13 +73,16 @@ fn unloadable(
     // of several robots, or of several ways to call one, any may be for the node
     let is_of = |call: &&RobotCall| node.started.contains(&call.call.caller);
     let all = calls.iter().chain(loads.iter()).filter(is_of);
+    let is_known = |call: &RobotCall| {
+        let mut args = call.call.args.iter();
+        args.all(|one| one.given(&session.packages, &call.call.caller).is_some())
+    };
     let found: Option<Vec<(String, Span)>> = all
         .map(|call| {
-            let args = &call.call.args;
-            let is_known = args
-                .iter()
-                .all(|one| one.given(&session.packages, &call.call.caller).is_some());
-            let (expansion, robot) = robots.of(call).filter(|_| is_known)?;
+            if !is_known(call) {
+                return None;
+            }
+            let (expansion, robot) = robots.of(call)?;
             hardware_of_gazebo(expansion, robot)
         })
         .collect();

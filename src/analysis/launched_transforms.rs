@@ -18,71 +18,62 @@ const RENAMES: [&str; 2] = ["tf_prefix", "frame_prefix"];
 /// Lengths and angles that differ by less are the same, in meters and radians.
 const TOLERANCE: f64 = 1e-3;
 
-/// Compares what launch files publish with the robots that they start.
-pub(super) struct LaunchedTransforms<'s> {
-    session: &'s Session,
-    cancel: &'s CancelFlag,
-    robots: CalledRobots<'s>,
+/// What is published twice by the launch files below a folder that are asked for.
+pub(super) fn findings_of_transforms(
+    session: &Session,
+    cancel: &CancelFlag,
+    robots: &mut CalledRobots<'_>,
+    top: &Path,
+    is_asked: impl Fn(&PathBuf) -> bool,
+) -> Vec<Finding> {
+    let transforms = session.callers.transforms_below(top);
+    let asked = transforms.iter().filter(|PublishedTransform { file, .. }| {
+        is_asked(file)
+            && !session.settings(file).excludes(file)
+            && !is_launch_left_over(session, file)
+    });
+    let mut found = Vec::new();
+    for published in asked {
+        if cancel.is_cancelled() {
+            break;
+        }
+        found.extend(conflict(session, robots, top, published));
+    }
+    found
 }
 
-impl<'s> LaunchedTransforms<'s> {
-    pub fn new(session: &'s Session, cancel: &'s CancelFlag) -> Self {
-        Self {
-            session,
-            cancel,
-            robots: CalledRobots::new(session, cancel),
-        }
-    }
-
-    /// What is published twice by the launch files below a folder that are asked for.
-    pub fn findings(&mut self, top: &Path, is_asked: impl Fn(&PathBuf) -> bool) -> Vec<Finding> {
-        let session = self.session;
-        let transforms = session.callers.transforms_below(top);
-        let asked = transforms.iter().filter(|PublishedTransform { file, .. }| {
-            is_asked(file)
-                && !session.settings(file).excludes(file)
-                && !is_launch_left_over(session, file)
-        });
-        let mut found = Vec::new();
-        for published in asked {
-            if self.cancel.is_cancelled() {
-                break;
-            }
-            found.extend(self.conflict(top, published));
-        }
-        found
-    }
-
-    /// What is wrong with a transform for one of the robots that its launch file starts.
-    fn conflict(&mut self, top: &Path, published: &PublishedTransform) -> Option<Finding> {
-        let callers = &self.session.callers;
-        let (calls, loads) = (callers.calls_below(top), callers.loads_below(top));
-        let span = Span {
-            file: self.session.vfs.file_id(&published.file),
-            range: published.transform.range,
-        };
-        let started = |call: &&RobotCall| published.started.contains(&call.call.caller);
-        let mut robots = calls.iter().chain(loads.iter()).filter(started);
-        let is_still = callers.leave_joints_alone(&published.file);
-        robots.find_map(|call| {
-            let (expansion, robot) = self.robot(&published.file, call)?;
-            let is_sent = |joint: &Joint| !is_still || joint.is(&[JointType::Fixed]);
-            compare(expansion, robot, span, (&published.transform, &is_sent))
-        })
-    }
-
-    /// The robot of a call, if its links are the frames that are published.
-    fn robot(&mut self, path: &Path, call: &RobotCall) -> Option<&(Expansion, Robot)> {
-        let session = self.session;
-        let says =
-            |file: &Path, word: &str| session.packages.is_text(file, |text| text.contains(word));
-        let caller = &call.call.caller;
-        let is_renamed = |file: &Path| RENAMES.iter().any(|word| says(file, word));
-        if !says(caller, PUBLISHER) || is_renamed(caller) || is_renamed(path) {
+/// What is wrong with a transform for one of the robots that its launch file starts.
+fn conflict(
+    session: &Session,
+    robots: &mut CalledRobots<'_>,
+    top: &Path,
+    published: &PublishedTransform,
+) -> Option<Finding> {
+    let callers = &session.callers;
+    let (calls, loads) = (callers.calls_below(top), callers.loads_below(top));
+    let span = Span {
+        file: session.vfs.file_id(&published.file),
+        range: published.transform.range,
+    };
+    let started = |call: &&RobotCall| published.started.contains(&call.call.caller);
+    let mut all = calls.iter().chain(loads.iter()).filter(started);
+    let is_still = callers.leave_joints_alone(&published.file);
+    all.find_map(|call| {
+        if !has_its_frames(session, &published.file, call) {
             return None;
         }
-        self.robots.of(call)
-    }
+        let (expansion, robot) = robots.of(call)?;
+        let is_sent = |joint: &Joint| !is_still || joint.is(&[JointType::Fixed]);
+        compare(expansion, robot, span, (&published.transform, &is_sent))
+    })
+}
+
+/// Whether the links of the robot of a call are the frames that are published.
+fn has_its_frames(session: &Session, path: &Path, call: &RobotCall) -> bool {
+    let says = |file: &Path, word: &str| session.packages.is_text(file, |text| text.contains(word));
+    let caller = &call.call.caller;
+    let is_renamed = |file: &Path| RENAMES.iter().any(|word| says(file, word));
+    says(caller, PUBLISHER) && !is_renamed(caller) && !is_renamed(path)
 }
 
 /// What is wrong with a transform for a robot: a joint whose transform is sent places the frame as well, or the frame is above.

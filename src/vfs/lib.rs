@@ -305,9 +305,10 @@ impl Vfs {
 
     /// A new buffer. Mostly its text is the one on disk, whose tree it shares then.
     fn opened(&self, id: FileId, revision: u64, text: String) -> Buffer {
-        let hash = read::hash(&text);
-        let known = self.shared.sources.latest(id);
-        match known.filter(|known| known.hash == hash && known.encoding_error.is_none()) {
+        let is_same = |known: &Arc<SourceFile>| {
+            known.encoding_error.is_none() && known.hash == read::hash(&text)
+        };
+        match self.shared.sources.latest(id).filter(is_same) {
             Some(known) => Buffer::with_source(revision, known),
             None => Buffer::with_text(id, self.path(id), revision, text),
         }

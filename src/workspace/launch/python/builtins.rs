@@ -302,7 +302,7 @@ impl PythonReader<'_> {
         PythonValue::Document(file)
     }
 
-    /// The words that a node is started with: a spawner or a publisher is told its description.
+    /// What a node is started with: a spawner or a publisher is told its description, a node of ros2_control only has to be seen.
     fn arguments_of(&mut self, range: TextRange, args: &PythonArgs) {
         let given = args.named.iter().find(|(name, _)| name == "arguments");
         let words = match given {
