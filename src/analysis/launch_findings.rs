@@ -12,6 +12,7 @@ use super::kept::is_launch_left_over;
 use super::launch_values::{outside_choices, value_findings};
 use super::launched_controllers::findings_of_spawners;
 use super::launched_descriptions::LaunchedDescriptions;
+use super::launched_files::{missing_file, uninstalled_file};
 use super::launched_hardware::findings_of_hardware;
 use super::launched_transforms::findings_of_transforms;
 use super::options::CheckOptions;
@@ -44,6 +45,7 @@ pub(super) fn launch_findings(session: &Session, options: &CheckOptions) -> Vec<
             &mut found,
         );
         findings_of_loads(session, &session.callers.loads_below(&folder), &mut found);
+        findings_of_files(session, &session.callers.opened_below(&folder), &mut found);
         found.extend(outside_choices(session, &folder, |_| true));
         found.extend(findings_of_transforms(
             session,
@@ -92,6 +94,9 @@ pub(super) fn shown_launch_findings(
         let mut loads = session.callers.loads_below(&top).to_vec();
         loads.retain(|load| launch_files.contains(&&load.call.caller));
         findings_of_loads(session, &loads, &mut found);
+        let mut opened = session.callers.opened_below(&top).to_vec();
+        opened.retain(|one| launch_files.contains(&&one.call.caller));
+        findings_of_files(session, &opened, &mut found);
         found.extend(outside_choices(session, &top, |path| {
             launch_files.contains(&path)
         }));
@@ -132,6 +137,7 @@ fn findings_of_calls(
         };
         let before = found.len();
         findings_of(session, group, calls, known, found);
+        found.extend(uninstalled_file(session, group));
         lower_left_over(session, &call.call.caller, found, before);
     }
     group_by_argument(found);
@@ -154,7 +160,21 @@ fn findings_of_loads(session: &Session, loads: &[RobotCall], found: &mut Vec<Fin
         let before = found.len();
         found.extend(LaunchedDescriptions(session).missing_load(group));
         found.extend(LaunchedDescriptions(session).unexpanded_load(group));
+        found.extend(uninstalled_file(session, group));
         lower_left_over(session, &load.call.caller, found, before);
+    }
+}
+
+/// What is wrong in other files that are named, which are in the order of the places.
+fn findings_of_files(session: &Session, opened: &[RobotCall], found: &mut Vec<Finding>) {
+    for group in opened.chunk_by(|a, b| place(&a.call) == place(&b.call)) {
+        let Some(one) = group.first().filter(|one| is_checked(session, one)) else {
+            continue;
+        };
+        let before = found.len();
+        found.extend(missing_file(session, group));
+        found.extend(uninstalled_file(session, group));
+        lower_left_over(session, &one.call.caller, found, before);
     }
 }
 

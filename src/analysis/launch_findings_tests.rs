@@ -381,3 +381,68 @@ fn controllers_that_no_parameters_know() {
         Some(Severity::Info)
     );
 }
+
+/// Check what a rule says of a launch file for a robot: severities and files.
+fn check_files(rule: &str, path: &str, launch: &str, more: &[(&str, &str)], expected: &[&str]) {
+    let launch =
+        format!("here = get_package_share_directory('cart')\n{launch}\nopen(here + '/r.urdf')");
+    let mut files = vec![
+        ("package.xml", "<package><name>cart</name></package>"),
+        ("r.urdf", "<robot name='r'><link name='a'/></robot>"),
+        (path, launch.as_str()),
+    ];
+    files.extend(more);
+    let all = found(&files, rule);
+    let shown = all
+        .iter()
+        .map(|(file, severity)| format!("{severity} {file}"));
+    assert_eq!(shown.collect::<Vec<_>>(), expected, "{launch}");
+}
+
+#[test]
+fn files_that_are_not_there() {
+    let check = |launch: &str, more: &[(&str, &str)], expected: &[&str]| {
+        let path = "launch/a.launch.py";
+        check_files("launched-file-not-found", path, launch, more, expected);
+    };
+    let node = "Node(package='a', executable='b', parameters=[here + '/config/a.yaml'])";
+    check(node, &[], &["warning launch/a.launch.py"]);
+    check(node, &[("config/a.yaml", "")], &[]);
+    // where it is looked for, it may be made
+    check(
+        &format!("if os.path.exists(x):\n    pass\n{node}"),
+        &[],
+        &[],
+    );
+    // RViz starts without its settings
+    let rviz = "Node(package='rviz2', executable='rviz2', arguments=['-d', here + '/a.rviz'])";
+    check(rviz, &[], &["info launch/a.launch.py"]);
+    let elsewhere = [("rviz/a.rviz", "")];
+    check(rviz, &elsewhere, &["warning launch/a.launch.py"]);
+    // a launch file is looked at that starts a robot, or that such a one includes
+    let include = "IncludeLaunchDescription(here + '/launch/b.launch.py')";
+    let inner = "here = get_package_share_directory('cart')\nNode(package='a', executable='b', parameters=[here + '/config/b.yaml'])";
+    let inner = [("launch/b.launch.py", inner)];
+    check(include, &inner, &["warning launch/b.launch.py"]);
+    check("", &inner, &[]);
+}
+
+#[test]
+fn files_that_are_not_installed() {
+    const AMENT: &str =
+        "project(cart)\nament_package()\ninstall(FILES r.urdf DESTINATION share/cart)\n";
+    let check = |path: &str, build: &str, expected: &[&str]| {
+        let node = "Node(package='a', executable='b', parameters=[here + '/config/a.yaml'])";
+        let more = [("config/a.yaml", ""), ("CMakeLists.txt", build)];
+        check_files("launched-file-not-installed", path, node, &more, expected);
+    };
+    let launch = "launch/a.launch.py";
+    check(launch, AMENT, &["warning launch/a.launch.py"]);
+    let installed = format!("{AMENT}install(DIRECTORY config DESTINATION share/cart)");
+    check(launch, &installed, &[]);
+    // rules that are not known may be for it; packages for ROS 1 run in their sources, as tests do
+    let unknown = format!("{AMENT}install(DIRECTORY ${{FOLDERS}} DESTINATION share/cart)");
+    check(launch, &unknown, &[]);
+    check(launch, &AMENT.replace("ament", "catkin"), &[]);
+    check("test/a.launch.py", AMENT, &["info test/a.launch.py"]);
+}

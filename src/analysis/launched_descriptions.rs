@@ -38,7 +38,7 @@ impl LaunchedDescriptions<'_> {
         let load = group
             .iter()
             .find(|load| self.is_unexpanded(load) && !self.is_expanded_too(load))?;
-        let place = load.call.file.place().unwrap_or(load.call.range);
+        let place = load.call.file.written().unwrap_or(load.call.range);
         let span = Span {
             file: self.0.vfs.file_id(&load.call.caller),
             range: place,
@@ -99,7 +99,7 @@ impl LaunchedDescriptions<'_> {
             return None;
         }
         let missing = group.iter().find(|call| self.is_missing(call))?;
-        let place = missing.call.file.place().unwrap_or(missing.call.range);
+        let place = missing.call.file.written().unwrap_or(missing.call.range);
         let span = Span {
             file: self.0.vfs.file_id(&missing.call.caller),
             range: place,

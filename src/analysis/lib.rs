@@ -38,6 +38,7 @@ mod launch_values;
 mod launched;
 mod launched_controllers;
 mod launched_descriptions;
+mod launched_files;
 mod launched_hardware;
 mod launched_transforms;
 mod left_over;

@@ -47,7 +47,7 @@ pub struct Build {
     pub is_opaque: bool,
     /// The stems of the files that it names outside of rules of installation: it may download or generate them.
     pub(crate) named: FastSet<String>,
-    /// Whether it is one of `ament_cmake`, which installs a package whenever it builds it.
+    /// Whether it is one of ROS 2, which installs a package whenever it builds it.
     pub is_ament: bool,
     /// What must be there of the sources.
     required: Vec<RequiredSource>,
@@ -146,6 +146,7 @@ impl Packages {
                 build.files.push(folder.join(CMAKE_LISTS));
                 setup_py::read(&self.vfs, folder, &mut build);
                 if self.vfs.is_file(&folder.join(SETUP_PY)) {
+                    build.is_ament |= self.is_of_python(folder);
                     break;
                 }
             }
@@ -200,6 +201,12 @@ impl Build {
         };
         let required = self.required.iter();
         required.filter(move |source| !vfs.exists(&source.path) && !is_made(&source.path))
+    }
+
+    /// Whether a file of a package is installed where it is in the sources.
+    pub fn installs_file(&self, vfs: &Vfs, package: &str, inside: &Path) -> bool {
+        let place = Path::new("share").join(package).join(inside);
+        self.find(vfs, &place, 0).is_some()
     }
 
     /// Whether anything is installed at, above or below a folder of a package.

@@ -1,4 +1,4 @@
-//! A launch file that calls xacro for a description that is not there, or loads it as it is.
+//! A launch file that names a description that is not there, or another file that what it starts reads.
 use super::super::finding::Finding;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use base::Span;
@@ -15,12 +15,18 @@ pub(super) static RULE: Rule = Rule {
     check: Check::Analysis,
 };
 
-/// The finding about a description that a launch file names and that is not there, with the path of one that it may mean.
+/// The finding about a file that a launch file names and that is not there, with the path of one that it may mean.
 pub fn launched_file_not_found(span: Span, shown: &str, near: Option<&str>) -> Finding {
     let mut finding = Finding::new(&RULE, span, format!("file `{shown}` does not exist"));
+    let is_of_rviz = shown.ends_with(".rviz");
     finding.help = Some(match near {
         Some(near) => format!("correct the path: there is {near}"),
+        None if is_of_rviz => "correct the path; RViz starts with its default displays".to_owned(),
         None => "correct the path; the launch file fails".to_owned(),
     });
+    // exporters write launch files that name settings which they do not write
+    if is_of_rviz && near.is_none() {
+        finding.severity = Severity::Info;
+    }
     finding
 }

@@ -11,6 +11,7 @@ mod installed_file_not_found;
 mod invalid_package_name;
 mod launch;
 mod launched_file_not_found;
+mod launched_file_not_installed;
 mod launched_without_xacro;
 mod malformed_package_xml;
 mod manifest;
@@ -35,6 +36,7 @@ pub use duplicate_transform::{looping_transform, repeated_transform};
 pub use generated_urdf_out_of_date::generated_urdf_out_of_date;
 pub(super) use launch::reads_as_it_stands;
 pub use launched_file_not_found::launched_file_not_found;
+pub use launched_file_not_installed::launched_file_not_installed;
 pub use launched_without_xacro::launched_without_xacro;
 pub use manifest::Manifests;
 pub(super) use mention::PackageMention;
@@ -70,4 +72,5 @@ pub(super) static RULES: &[&Rule] = &[
     &installed_file_not_found::RULE,
     &spawned_controller_not_found::RULE,
     &unloadable_hardware::RULE,
+    &launched_file_not_installed::RULE,
 ];

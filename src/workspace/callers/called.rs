@@ -4,14 +4,14 @@
 use std::path::{Path, PathBuf};
 
 use base::limits::{CALLER_CALLS, LAUNCH_INCLUDES};
-use base::{FastMap, TextRange};
+use base::{FastMap, FastSet, TextRange};
 
 use super::choices::{Excluded, excluded};
 use super::uses::{Uses, search};
 use super::{Callers, GivenArg};
 use crate::launch::{
     self, LaunchCall, LaunchContext, LaunchFile, SpawnedController, StaticTransform, calls_in,
-    forget_defaults, included, loads_in, spawned_in, transforms_in,
+    forget_defaults, included, loads_in, opened_in, spawned_in, transforms_in,
 };
 use packages::Packages;
 use std::sync::Arc;
@@ -62,6 +62,8 @@ pub(super) struct LaunchCalls {
     pub calls: Arc<Vec<RobotCall>>,
     /// The descriptions that they load without xacro.
     pub loads: Arc<Vec<RobotCall>>,
+    /// The other files that they name.
+    pub opened: Arc<Vec<RobotCall>>,
     /// The transforms that they publish themselves.
     pub transforms: Arc<Vec<PublishedTransform>>,
     /// The controllers that they start.
@@ -89,6 +91,11 @@ impl Callers {
     /// The descriptions that launch files below a folder load as they are, without xacro, in the order of the paths of the files.
     pub fn loads_below(&self, top: &Path) -> Arc<Vec<RobotCall>> {
         self.called_below(top).loads.clone()
+    }
+
+    /// Other files that launch files below a folder name, in the order of the paths of the launch files.
+    pub fn opened_below(&self, top: &Path) -> Arc<Vec<RobotCall>> {
+        self.called_below(top).opened.clone()
     }
 
     /// The transforms that launch files below a folder publish themselves, in the order of the paths of the files.
@@ -150,6 +157,9 @@ fn all(uses: &Uses, packages: &Packages) -> LaunchCalls {
         found
             .loads
             .extend(loads_in(file, &LaunchContext::default()));
+        found
+            .opened
+            .extend(opened_in(file, &LaunchContext::default()));
     }
     for file in &files {
         through(
@@ -160,6 +170,12 @@ fn all(uses: &Uses, packages: &Packages) -> LaunchCalls {
             &mut found,
         );
     }
+    let all = found.calls.iter().chain(&found.loads);
+    let with_robots: FastSet<&Path> = all.map(|call| call.caller.as_path()).collect();
+    let started = started_with(&files, &with_robots, &by_path, packages);
+    found
+        .opened
+        .retain(|one| started.contains(one.caller.as_path()));
     let transforms = files.iter().flat_map(|file| {
         let all = transforms_in(file).into_iter();
         all.map(|transform| PublishedTransform {
@@ -186,6 +202,7 @@ fn all(uses: &Uses, packages: &Packages) -> LaunchCalls {
         control_nodes: Arc::new(control_nodes.collect()),
         calls: with_targets(found.calls, packages),
         loads: with_targets(found.loads, packages),
+        opened: with_targets(found.opened, packages),
         transforms: Arc::new(transforms.collect()),
         spawned: Arc::new(spawned.collect()),
         excluded: Arc::new(excluded(&files, &by_path, packages)),
@@ -218,11 +235,48 @@ fn started_by(
     started
 }
 
+/// The launch files that start one of some launch files, and all that those start.
+fn started_with<'f>(
+    files: &'f [LaunchFile],
+    some: &FastSet<&Path>,
+    by_path: &FastMap<&Path, &'f LaunchFile>,
+    packages: &Packages,
+) -> FastSet<&'f Path> {
+    let includes = |file: &'f LaunchFile| {
+        let all = included(file, &LaunchContext::default()).into_iter();
+        let paths = all.filter_map(|(name, _)| name.path(packages, &file.path));
+        let inner = paths.filter_map(|path| by_path.get(&*packages.present(&path)).copied());
+        inner.map(|inner| inner.path.as_path()).collect()
+    };
+    let includes: FastMap<&Path, Vec<&Path>> = files
+        .iter()
+        .map(|file| (file.path.as_path(), includes(file)))
+        .collect();
+    let mut found: FastSet<&Path> = FastSet::default();
+    for file in files {
+        let mut started = vec![file.path.as_path()];
+        let mut next = 0;
+        while let Some(inner) = started.get(next).and_then(|path| includes.get(path)) {
+            for path in inner {
+                if !started.contains(path) {
+                    started.push(path);
+                }
+            }
+            next += 1;
+        }
+        if started.iter().any(|path| some.contains(path)) {
+            found.extend(started);
+        }
+    }
+    found
+}
+
 /// What launch files call and load.
 #[derive(Default)]
 struct FoundCalls {
     calls: Vec<LaunchCall>,
     loads: Vec<LaunchCall>,
+    opened: Vec<LaunchCall>,
 }
 
 /// Put what is not known yet behind other calls.
@@ -256,7 +310,8 @@ fn through(
     packages: &Packages,
     found: &mut FoundCalls,
 ) {
-    let is_full = found.calls.len().max(found.loads.len()) > CALLER_CALLS;
+    let kinds = [&found.calls, &found.loads, &found.opened];
+    let is_full = kinds.into_iter().any(|calls| calls.len() > CALLER_CALLS);
     if context.through.len() >= LAUNCH_INCLUDES || is_full {
         return;
     }
@@ -287,6 +342,7 @@ fn through(
         }
         add(&mut found.calls, calls_in(inner, &context));
         add(&mut found.loads, loads_in(inner, &context));
+        add(&mut found.opened, opened_in(inner, &context));
         through(inner, &context, by_path, packages, found);
     }
 }

@@ -152,6 +152,11 @@ impl Callers {
         named.peek().is_some() && named.all(is_test) && !includers(file).iter().any(is_included)
     }
 
+    /// Whether a file belongs to the tests of its package.
+    pub fn is_of_tests(&self, file: &Path) -> bool {
+        is_of_tests(file, &self.packages)
+    }
+
     /// The texts that lead to a file of a copy, but for includes; none when something that runs names its package, or not all
     /// texts are known.
     fn users(&self, file: &Path, copies: &CopiedFolders) -> Option<Vec<PathBuf>> {

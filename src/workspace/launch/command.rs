@@ -1,6 +1,7 @@
 //! Command lines: split as a shell does, and what they say when they call xacro.
 
 use super::DESCRIPTIONS;
+use super::place::TextPlace;
 use super::resolve::{Bit, CallArgument, CommandWord};
 
 /// What a command line says.
@@ -42,7 +43,7 @@ struct WordSplitter {
 }
 
 impl WordSplitter {
-    fn take(&mut self, c: char, at: Option<base::TextRange>) {
+    fn take(&mut self, c: char, at: TextPlace) {
         if self.is_escaped {
             self.is_escaped = false;
             // inside of quotes, a backslash only hides quotes and itself
@@ -65,7 +66,7 @@ impl WordSplitter {
         }
     }
 
-    fn settle(&mut self, at: Option<base::TextRange>) {
+    fn settle(&mut self, at: TextPlace) {
         if !self.text.is_empty() {
             self.word
                 .0
@@ -73,7 +74,7 @@ impl WordSplitter {
         }
     }
 
-    fn end(&mut self, at: Option<base::TextRange>) {
+    fn end(&mut self, at: TextPlace) {
         self.settle(at);
         if std::mem::take(&mut self.is_open) {
             self.words.push(std::mem::take(&mut self.word));
@@ -81,7 +82,7 @@ impl WordSplitter {
     }
 
     fn finish(mut self) -> Option<Vec<CommandWord>> {
-        self.end(None);
+        self.end(TextPlace::Unknown);
         (self.quote.is_none() && !self.is_escaped).then_some(self.words)
     }
 }
@@ -225,7 +226,7 @@ fn assignment(word: &CommandWord) -> Option<Assignment> {
         let is_name = is_known && !before.is_empty();
         return Some((
             is_name.then(|| before.trim().to_owned()),
-            *at,
+            at.here(),
             CommandWord(first.into_iter().chain(rest).collect()),
         ));
     }

@@ -6,6 +6,8 @@
 mod command;
 mod element;
 mod loads;
+mod opened;
+mod place;
 mod python;
 mod resolve;
 mod shell;
@@ -16,6 +18,8 @@ mod xml;
 
 #[cfg(test)]
 mod forms;
+#[cfg(test)]
+mod forms_of_files;
 #[cfg(test)]
 mod forms_of_loads;
 #[cfg(test)]
@@ -29,6 +33,7 @@ use base::TextRange;
 use base::limits::LAUNCH_CALLS;
 
 pub(crate) use loads::loads_in;
+pub(crate) use opened::opened_in;
 pub use resolve::{CallArgument, CommandWord, LaunchCall, Why, calls};
 pub(crate) use resolve::{LaunchContext, calls_in, forget_defaults, included, values_given};
 pub use spawners::SpawnedController;
@@ -50,6 +55,8 @@ pub struct LaunchFile {
     pub commands: Vec<LaunchCommand>,
     /// Words that may name descriptions which are read as they are.
     pub loads: Vec<LaunchCommand>,
+    /// Words that may name other files which have to be there: parameters, settings of RViz, worlds, launch files.
+    pub files: Vec<LaunchCommand>,
     /// The words of publishers of transforms that do not change.
     pub transforms: Vec<LaunchCommand>,
     /// The words of spawners of controllers.
@@ -192,6 +199,7 @@ pub(super) fn may_call(text: &str) -> bool {
     let has_any = |words: &[&str]| words.iter().any(|word| text.contains(word));
     has_any(&WORDS)
         || has_any(&[TRANSFORM_PUBLISHER, SPAWNER])
+        || has_any(&opened::ENDINGS)
         || has_any(&LOADS) && has_any(&DESCRIPTIONS)
 }
 
@@ -224,6 +232,7 @@ pub fn read(path: &Path, text: &str) -> Option<LaunchFile> {
     let commands = [
         &file.commands,
         &file.loads,
+        &file.files,
         &file.transforms,
         &file.spawners,
         &file.control_nodes,

@@ -6,6 +6,7 @@ use base::limits::{LAUNCH_CALLS, LAUNCH_TEXT};
 use base::{FastMap, TextRange};
 
 use super::command::{self, ParsedCommand};
+use super::place::TextPlace;
 use super::text::{Text, TextPiece};
 use super::{CommandForm, DeclaredArgument, LaunchCommand, LaunchFile, LaunchInclude};
 use packages::Packages;
@@ -47,13 +48,13 @@ pub struct CallArgument {
 }
 
 /// A word of a command.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, Default)]
 pub struct CommandWord(pub(super) Vec<Bit>);
 
 /// A part of a word.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug)]
 pub(super) enum Bit {
-    Text(String, Option<TextRange>),
+    Text(String, TextPlace),
     Share(String),
     Opaque(Why),
 }
@@ -176,7 +177,7 @@ fn forget<'p>(
 ) {
     for (name, other) in others {
         match values.iter_mut().find(|(known, _)| known == name) {
-            Some((_, value)) if value == other => {}
+            Some((_, value)) if value.shown() == other.shown() => {}
             Some((_, value)) => *value = CommandWord(vec![Bit::Opaque(Why::Computed)]),
             None => values.push((name.clone(), CommandWord(vec![Bit::Opaque(Why::Computed)]))),
         }
@@ -296,8 +297,7 @@ impl CallArgument {
     /// Whether nobody who starts the launch file can give another value: it stands in the call at `range`, or is computed.
     pub fn is_fixed(&self, range: TextRange) -> bool {
         self.value.0.iter().all(|bit| match bit {
-            Bit::Text(_, Some(at)) => range.contains_range(*at),
-            Bit::Text(_, None) => false,
+            Bit::Text(_, at) => at.here().is_some_and(|at| range.contains_range(at)),
             Bit::Share(_) | Bit::Opaque(Why::Computed) => true,
             Bit::Opaque(_) => false,
         })
@@ -311,7 +311,7 @@ impl CommandWord {
 
     /// A text.
     pub fn plain(text: &str) -> Self {
-        Self(vec![Bit::Text(text.to_owned(), None)])
+        Self(vec![Bit::Text(text.to_owned(), TextPlace::Unknown)])
     }
 
     /// Whether all of it is known.
@@ -415,12 +415,19 @@ impl CommandWord {
 
     /// Where the first of its texts stands.
     pub fn place(&self) -> Option<TextRange> {
-        self.0.iter().find_map(|bit| {
-            if let Bit::Text(_, at) = bit {
-                *at
-            } else {
-                None
-            }
+        self.places().find_map(TextPlace::here)
+    }
+
+    /// Where the first of its texts stands, in the default of an argument if it is nowhere else.
+    pub fn written(&self) -> Option<TextRange> {
+        self.place()
+            .or_else(|| self.places().find_map(TextPlace::written))
+    }
+
+    fn places(&self) -> impl Iterator<Item = TextPlace> + '_ {
+        self.0.iter().filter_map(|bit| match bit {
+            Bit::Text(_, at) => Some(*at),
+            _ => None,
         })
     }
 
@@ -495,7 +502,9 @@ impl<'a> Resolver<'a> {
                 return;
             }
             match piece {
-                TextPiece::Plain(text, at) => word.push(Bit::Text(text.clone(), *at)),
+                TextPiece::Plain(text, at) => {
+                    word.push(Bit::Text(text.clone(), TextPlace::at(*at)));
+                }
                 TextPiece::Opaque => word.push(Bit::Opaque(Why::Computed)),
                 TextPiece::Argument(name) => self.argument(name, depth, word),
                 TextPiece::Share(package) => {
@@ -525,7 +534,7 @@ impl<'a> Resolver<'a> {
         let given = self.context.values.iter().find(|(given, _)| given == name);
         if let Some((_, value)) = given.filter(|_| !self.is_fixed(name)) {
             let bare = |bit: &Bit| match bit {
-                Bit::Text(text, _) => Bit::Text(text.clone(), None),
+                Bit::Text(text, _) => Bit::Text(text.clone(), TextPlace::Unknown),
                 other => other.clone(),
             };
             return word.0.extend(value.0.iter().map(bare));
@@ -538,9 +547,8 @@ impl<'a> Resolver<'a> {
             Some(Some(default)) if depth < MOST_DEFAULTS => {
                 let mut inner = CommandWord::default();
                 self.resolve(default, depth + 1, &mut inner);
-                // where a default stands says nothing of what it is used for
                 word.0.extend(inner.0.into_iter().map(|bit| match bit {
-                    Bit::Text(text, _) => Bit::Text(text, None),
+                    Bit::Text(text, at) => Bit::Text(text, at.as_default()),
                     other => other,
                 }));
             }

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use base::TextRange;
 use base::limits::{LAUNCH_DEPTH, MANIFEST_NODES};
-use roxmltree::{Document, Node, ParsingOptions};
+use roxmltree::{Attribute, Document, Node, ParsingOptions};
 
 use super::command::is_xacro_program;
 use super::element;
@@ -83,31 +83,29 @@ impl LaunchXmlReader {
             _ => {}
         }
         for attribute in node.attributes() {
-            let range = range(attribute.range_value());
-            if attribute.name() == "exec" && attribute.value() == CONTROL_NODE {
+            self.attribute(node, attribute);
+        }
+    }
+
+    fn attribute(&mut self, node: Node<'_, '_>, attribute: Attribute<'_, '_>) {
+        let range = range(attribute.range_value());
+        let text = |reader: &Self| reader.text(attribute.value(), Some(range));
+        match (node.tag_name().name(), attribute.name()) {
+            (_, "exec") if attribute.value() == CONTROL_NODE => {
                 let words = CommandForm::Words(Vec::new());
                 let command = LaunchCommand::at(range, words, self.assumed.clone());
                 command.add_to(&mut self.file.control_nodes);
             }
-            if attribute.name() == "command" && node.tag_name().name() == "param" {
-                let line = self.text(attribute.value(), Some(range));
-                self.command(range, line, false);
-            } else if attribute.name() == "textfile" && node.has_tag_name("param") {
-                let file = self.text(attribute.value(), Some(range));
-                self.load(range, CommandForm::Words(vec![file]));
-            } else if attribute.name() == "args" && node.has_tag_name("node") {
-                let words = self.text(attribute.value(), Some(range));
-                let program = node.attribute("type").or_else(|| node.attribute("exec"));
-                let assumed = self.assumed.clone();
-                let command = LaunchCommand::at(range, CommandForm::Line(words.clone()), assumed);
-                if program == Some(TRANSFORM_PUBLISHER) {
-                    command.add_to(&mut self.file.transforms);
-                } else if node.attribute("exec") == Some(SPAWNER) {
-                    command.add_to(&mut self.file.spawners);
-                } else if program.is_none_or(|program| !is_xacro_program(program)) {
-                    self.load(range, CommandForm::Line(words));
-                }
-            } else if attribute.value().contains("$(command") {
+            ("param", "command") => self.command(range, text(self), false),
+            ("param", "textfile") => self.load(range, CommandForm::Words(vec![text(self)])),
+            ("param", "from") | ("include", "file") => {
+                self.file(range, CommandForm::Words(vec![text(self)]));
+            }
+            ("rosparam", "file") if is_loaded(node) => {
+                self.file(range, CommandForm::Words(vec![text(self)]));
+            }
+            ("node", "args") => self.words(node, range, text(self)),
+            _ if attribute.value().contains("$(command") => {
                 let mut lines = Vec::new();
                 element::text(attribute.value(), Some(range), &self.folder, &mut lines);
                 // of a parameter whose type is given, launch takes the text as it is
@@ -118,6 +116,22 @@ impl LaunchXmlReader {
                     .into_iter()
                     .for_each(|line| self.command(range, line, is_untyped));
             }
+            _ => {}
+        }
+    }
+
+    /// What a node is started with.
+    fn words(&mut self, node: Node<'_, '_>, range: TextRange, words: Text) {
+        let words = CommandForm::Line(words);
+        let program = node.attribute("type").or_else(|| node.attribute("exec"));
+        let command = LaunchCommand::at(range, words.clone(), self.assumed.clone());
+        if program == Some(TRANSFORM_PUBLISHER) {
+            command.add_to(&mut self.file.transforms);
+        } else if node.attribute("exec") == Some(SPAWNER) {
+            command.add_to(&mut self.file.spawners);
+        } else if program.is_none_or(|program| !is_xacro_program(program)) {
+            self.file(range, words.clone());
+            self.load(range, words);
         }
     }
 
@@ -133,15 +147,21 @@ impl LaunchXmlReader {
         LaunchCommand::at(range, what, assumed).add_to(&mut self.file.loads);
     }
 
+    fn file(&mut self, range: TextRange, what: CommandForm) {
+        let assumed = self.assumed.clone();
+        LaunchCommand::at(range, what, assumed).add_to(&mut self.file.files);
+    }
+
     fn argument(&mut self, node: Node<'_, '_>) {
         let Some(name) = node.attribute("name") else {
             return;
         };
         let fixed = node.attribute("value");
         let is_conditional = node.has_attribute("if") || node.has_attribute("unless");
-        let default = fixed
-            .or_else(|| node.attribute("default"))
-            .map(|value| self.text(value, None));
+        let default = node
+            .attribute_node("value")
+            .or_else(|| node.attribute_node("default"))
+            .map(|value| self.text(value.value(), Some(range(value.range_value()))));
         // of two that conditions choose from, none is certain
         let default = if is_conditional {
             Some(Text::opaque())
@@ -177,12 +197,18 @@ impl LaunchXmlReader {
                 .or_else(|| child.attribute("default"));
             if let (Some(name), Some(value)) = (child.attribute("name"), value) {
                 let is_conditional = child.has_attribute("if") || child.has_attribute("unless");
+                let at = child
+                    .attribute_node("value")
+                    .map(|one| range(one.range_value()));
                 let value = if is_conditional {
                     Text::opaque()
                 } else {
-                    self.text(value, None)
+                    self.text(value, at)
                 };
-                args.push((name.to_owned(), value));
+                if let Some(at) = at {
+                    self.file(at, CommandForm::Words(vec![value.clone()]));
+                }
+                args.push((name.to_owned(), value.without_places()));
             }
         }
         if node
@@ -216,6 +242,12 @@ impl LaunchXmlReader {
     fn text(&self, value: &str, at: Option<TextRange>) -> Text {
         element::text(value, at, &self.folder, &mut Vec::new())
     }
+}
+
+/// Whether parameters are read from a file, not written to one.
+fn is_loaded(node: Node<'_, '_>) -> bool {
+    let command = node.attribute("command");
+    command.is_none_or(|command| command == "load")
 }
 
 fn range(range: std::ops::Range<usize>) -> TextRange {

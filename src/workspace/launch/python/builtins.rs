@@ -62,7 +62,7 @@ impl PythonReader<'_> {
     ) -> PythonValue {
         let count = args.len();
         let mut args = PythonArgs::new(args, named);
-        self.parameters_of(&args);
+        self.parameters_of(range, &args);
         self.arguments_of(range, &args);
         let name = path.rsplit('.').next().unwrap_or(path);
         match name {
@@ -269,12 +269,15 @@ impl PythonReader<'_> {
     }
 
     /// What a node gets as parameters: launch reads the output of a command in it as YAML.
-    fn parameters_of(&mut self, args: &PythonArgs) {
+    fn parameters_of(&mut self, range: TextRange, args: &PythonArgs) {
         let given = args.named.iter().find(|(name, _)| name == "parameters");
         let Some((_, PythonValue::List(given))) = given else {
             return;
         };
         for value in given {
+            if let PythonValue::Text(text) = value {
+                self.file(range, CommandForm::Words(vec![text.clone()]));
+            }
             let PythonValue::Dict { pairs, .. } = value else {
                 continue;
             };
@@ -334,6 +337,7 @@ impl PythonReader<'_> {
         } else if SPAWNERS.into_iter().any(is_of) {
             command.add_to(&mut self.found.spawners);
         } else {
+            self.file(range, words.clone());
             self.load(range, words);
         }
     }
@@ -389,6 +393,13 @@ impl PythonReader<'_> {
         if let Some(given) = args.take(1, "launch_arguments") {
             open |= PythonValue::spread(&mut pairs, given);
         }
+        let given = pairs.iter().map(|(_, value)| value);
+        let files: Vec<Text> = given
+            .cloned()
+            .map(PythonValue::text)
+            .chain([file.clone()])
+            .collect();
+        self.file(range, CommandForm::Words(files));
         let args = pairs
             .into_iter()
             .map(|(name, value)| (name, value.text()))

@@ -307,6 +307,11 @@ impl<'s> PythonReader<'s> {
         LaunchCommand::at(range, what, assumed).add_to(&mut self.found.loads);
     }
 
+    fn file(&mut self, range: TextRange, what: CommandForm) {
+        let assumed = self.assumed.clone();
+        LaunchCommand::at(range, what, assumed).add_to(&mut self.found.files);
+    }
+
     /// Pairs of a dictionary as what a call gives.
     fn given(pairs: Vec<(String, PythonValue)>) -> Vec<UnresolvedArgument> {
         pairs

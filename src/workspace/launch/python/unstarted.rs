@@ -17,7 +17,12 @@ pub(super) fn leave_out(file: &mut LaunchFile, text: &str, assignments: &[Assign
     /// Each variable is compared with all others, and each of its places.
     const MOST: usize = 300;
     const MOST_PLACES: usize = 5_000;
-    let nodes = [&file.transforms, &file.spawners, &file.control_nodes];
+    let nodes = [
+        &file.files,
+        &file.transforms,
+        &file.spawners,
+        &file.control_nodes,
+    ];
     if nodes.into_iter().all(Vec::is_empty) || assignments.len() > MOST {
         return;
     }
@@ -52,6 +57,7 @@ pub(super) fn leave_out(file: &mut LaunchFile, text: &str, assignments: &[Assign
         !values
             .any(|one| one.value.start <= command.range.start && command.range.end <= one.value.end)
     };
+    file.files.retain(is_started);
     file.transforms.retain(is_started);
     file.spawners.retain(is_started);
     file.control_nodes.retain(is_started);
