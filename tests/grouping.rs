@@ -392,22 +392,27 @@ fn many_names_that_resemble_none_are_of_another_robot() {
 
 #[test]
 fn a_launch_file_that_names_a_missing_description_twice_has_one_wrong_path() {
-    let launch = "model = os.path.join(get_package_share_directory('arm'), 'urdf', 'arm.urdf')\n\
-                  given = DeclareLaunchArgument('model', default_value=model)\n\
-                  node = Node(parameters=[{'robot_description': Command(['xacro ', LaunchConfiguration('model')])}])\n\
-                  other = Node(parameters=[{'robot_description': Command(['xacro ', model])}])\n\
-                  start = LaunchDescription([given, node, other])\n";
-    let folder = Folder::of(&[
-        ("package.xml", "<package><name>arm</name></package>".into()),
-        ("launch/arm.launch.py", launch.into()),
-        ("urdf/other.urdf", robot(&["a"])),
-    ]);
-    let found = folder.json("check . --select launched-file-not-found --format json");
-    let places: Vec<_> = found
-        .iter()
-        .map(|finding| finding["places"].as_u64())
-        .collect();
-    assert_eq!(places, [Some(2)], "{found:?}");
+    let places = |other: &str| {
+        let launch = format!(
+            "model = os.path.join(get_package_share_directory('arm'), 'urdf', 'arm.urdf')\n\
+             given = DeclareLaunchArgument('model', default_value=model)\n\
+             node = Node(parameters=[{{'robot_description': Command(['xacro ', LaunchConfiguration('model')])}}])\n\
+             other = Node(parameters=[{{'robot_description': Command(['xacro ', {other}])}}])\n\
+             start = LaunchDescription([given, node, other])\n"
+        );
+        let folder = Folder::of(&[
+            ("package.xml", "<package><name>arm</name></package>".into()),
+            ("launch/arm.launch.py", launch),
+            ("urdf/other.urdf", robot(&["a"])),
+        ]);
+        let found = folder.json("check . --select launched-file-not-found --format json");
+        let places = found.iter().map(|finding| finding["places"].as_u64());
+        places.collect::<Vec<_>>()
+    };
+    // both are where the variable is set
+    assert_eq!(places("model"), [Some(1)]);
+    let again = "os.path.join(get_package_share_directory('arm'), 'urdf/arm.urdf')";
+    assert_eq!(places(again), [Some(2)]);
 }
 
 #[test]

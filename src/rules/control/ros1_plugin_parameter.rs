@@ -4,7 +4,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::gazebo_ros::{NAMESPACE, REMAPPING, plugins_for_ros2, renamed};
 use expand::{XId, XTree};
-use model::{AttrValue, Link, tag_start};
+use model::{AttrValue, JointType, Link, Robot, tag_start};
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "CTL031",
@@ -39,6 +39,9 @@ fn is_default((name, new): (&str, &str), value: &str, has_namespace: bool) -> bo
     match name {
         "commandTopic" => is_topic("cmd_vel"),
         "odometryTopic" => is_topic("odom"),
+        "odometryFrame" => value == "odom",
+        "imageTopicName" => value == "image_raw",
+        "cameraInfoTopicName" => value == "camera_info",
         _ => new == NAMESPACE && ["", "/"].contains(&value),
     }
 }
@@ -52,7 +55,24 @@ fn is_sensor(tree: &XTree, plugin: XId, name: &str) -> bool {
         .filter(|&around| tree.get(around).text == "sensor");
     sensor
         .and_then(|sensor| tree.attr(sensor, "name"))
-        .is_some_and(|own| own.value == name)
+        .is_some_and(|own| own.value == name.trim_start_matches('/'))
+}
+
+/// Whether a plugin is in an element for this link, which stays a link of its own: it is the frame of the data without a parameter.
+fn is_own_frame(cx: &DocumentCx<'_>, plugin: XId, name: &str) -> bool {
+    let tree = &cx.expansion.tree;
+    let mut around = std::iter::successors(tree.parent(plugin), |&id| tree.parent(id));
+    let is_it = |id: XId| {
+        let reference = tree.attr(id, "reference");
+        tree.get(id).text == "gazebo" && reference.is_some_and(|own| own.value == name)
+    };
+    let moves = |robot: &Robot| {
+        let kinematics = robot.kinematics();
+        let link = kinematics.link(name)?;
+        let joint = kinematics.parent_joints(link).first().copied()?;
+        Some(!robot.joints.get(joint)?.is(&[JointType::Fixed]))
+    };
+    around.any(is_it) && cx.robot.and_then(moves) == Some(true)
 }
 
 /// Whether the frame that drives take without a parameter is the root of the robot: another one would get a second parent.
@@ -92,7 +112,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             let value = AttrValue::content(tree, parameter);
             let value = value.as_ref().map_or("", |value| value.value.trim());
             let is_default = is_default((name, new), value, is_named)
-                || name == "cameraName" && is_sensor(tree, plugin, value);
+                || name == "cameraName" && is_sensor(tree, plugin, value)
+                || name == "frameName" && is_own_frame(cx, plugin, value);
             let is_needless = is_default || has_default_base(cx, new);
             (!is_needless && !is_there(tree, plugin, new)).then_some((parameter, name, new))
         });

@@ -68,16 +68,17 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
                 let report = report.help(Help::did_you_mean(near));
                 report.replace_with(Safety::Unsafe, format!("rename to `{near}`"), near).done();
             }
-            None => report.severity(if is_on_colored_mesh(link, material) || is_default(name) || is_on_nothing(link, material) { Severity::Info } else { RULE.severity }).help(format!("add <material name=\"{name}\"><color rgba=\"...\"/></material> to <robot>, or a <color> here")).done(),
+            None => report.severity(if is_on_colored_mesh(link, material) || is_default(name) || is_on_nothing(link, material) { Severity::Info } else { RULE.severity }).help(format!("add <material name=\"{name}\"><color rgba=\"...\"/></material> to <robot>, or a <color> here: the part is shown in black")).done(),
         }
     }
 }
 
-/// Whether a name means the color that RViz gives a part without a material.
+/// Whether a name means the color that a part of an undefined material gets.
 ///
-/// Source: `RVIZ/ShadedRed` in `robot_link.cpp` of rviz and rviz_default_plugins.
-const fn is_default(name: &str) -> bool {
-    name.eq_ignore_ascii_case("red")
+/// Source: `parseMaterial` and `assignMaterial` of urdfdom keep the material of the visual, whose color is `0 0 0 1` unless it is read.
+fn is_default(name: &str) -> bool {
+    let mut words = name.split(|c: char| !c.is_alphabetic());
+    words.any(|word| word.eq_ignore_ascii_case("black"))
 }
 
 /// Whether a material is that of a visual without any shape.
