@@ -419,11 +419,26 @@ fn files_that_are_not_there() {
     check(rviz, &[], &["info launch/a.launch.py"]);
     let elsewhere = [("rviz/a.rviz", "")];
     check(rviz, &elsewhere, &["warning launch/a.launch.py"]);
-    // a launch file is looked at that starts a robot, or that such a one includes
-    let include = "IncludeLaunchDescription(here + '/launch/b.launch.py')";
+    // the map is recorded; tests need not run
+    let map = "Node(package='a', executable='b', parameters=[here + '/maps/a.yaml'])";
+    check(map, &[], &["info launch/a.launch.py"]);
+    let path = "test/a.launch.py";
+    check_files(
+        "launched-file-not-found",
+        path,
+        node,
+        &[],
+        &["info test/a.launch.py"],
+    );
+    // of other packages, launch files are looked at that such a one includes
+    let include = "there = get_package_share_directory('tools')\nIncludeLaunchDescription(there + '/launch/b.launch.py')";
     let inner = "here = get_package_share_directory('cart')\nNode(package='a', executable='b', parameters=[here + '/config/b.yaml'])";
-    let inner = [("launch/b.launch.py", inner)];
-    check(include, &inner, &["warning launch/b.launch.py"]);
+    let inner = [
+        ("package.xml", "<package><name>cart</name></package>"),
+        ("tools/package.xml", "<package><name>tools</name></package>"),
+        ("tools/launch/b.launch.py", inner),
+    ];
+    check(include, &inner, &["warning tools/launch/b.launch.py"]);
     check("", &inner, &[]);
 }
 

@@ -17,7 +17,16 @@ pub(super) fn missing_file(session: &Session, group: &[RobotCall]) -> Option<Fin
     finding.group = Some(Group::Thing(
         format!("files in {}", folder.display()).into(),
     ));
+    lower_for_tests(session, group, &mut finding);
     Some(finding)
+}
+
+/// What only tests need is an info: they may run in the sources, or not at all.
+fn lower_for_tests(session: &Session, group: &[RobotCall], finding: &mut Finding) {
+    let mut callers = group.iter().map(|call| &call.call.caller);
+    if callers.any(|caller| session.callers.is_of_tests(caller)) {
+        finding.severity = finding.severity.min(Severity::Info);
+    }
 }
 
 /// A file that a launch file of ROS 2 names in the folder of an installed package, where the build does not put it.
@@ -31,10 +40,7 @@ pub(super) fn uninstalled_file(session: &Session, group: &[RobotCall]) -> Option
     };
     let (package, _) = call.call.file.in_package()?;
     let mut finding = launched_file_not_installed(span, package, &inside, &build);
-    // tests run in the sources
-    if session.callers.is_of_tests(&call.call.caller) {
-        finding.severity = Severity::Info;
-    }
+    lower_for_tests(session, group, &mut finding);
     Some(finding)
 }
 

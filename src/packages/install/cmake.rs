@@ -48,6 +48,7 @@ pub(super) fn read(vfs: &Vfs, folder: &Path, build: &mut Build) {
         conditions: 0,
         uncertain: FastSet::default(),
         variables: FastMap::default(),
+        handed_up: Vec::new(),
         left,
         entries,
     };
@@ -95,6 +96,8 @@ pub(super) struct CMakeReader<'a> {
     /// The variables that commands under a condition set.
     pub(super) uncertain: FastSet<String>,
     variables: FastMap<String, String>,
+    /// The variables that the folder sets for the one around it; none: to what is not known.
+    handed_up: Vec<(String, Option<String>)>,
     /// How much more is read, in bytes of arguments.
     left: u32,
     /// How many more entries of folders patterns may look at.
@@ -115,20 +118,24 @@ impl CMakeReader<'_> {
         self.variables.insert(name.to_owned(), value);
     }
 
-    /// The build file of a folder.
+    /// The build file of a folder, which has variables of its own.
     fn folder(&mut self, folder: &Path, depth: u32) {
-        let outer = (
-            self.variables.get("CMAKE_CURRENT_SOURCE_DIR").cloned(),
-            self.current_build_folder(),
-        );
+        let outer = self.variables.clone();
+        let handed_up = std::mem::take(&mut self.handed_up);
         self.set("CMAKE_CURRENT_SOURCE_DIR", text(folder));
         self.set("CMAKE_CURRENT_LIST_DIR", text(folder));
         self.set("CMAKE_CURRENT_BINARY_DIR", text(&build_folder(folder)));
         self.file(&folder.join(CMAKE_LISTS), folder, depth);
-        if let (Some(source), Some(build)) = outer {
-            self.set("CMAKE_CURRENT_LIST_DIR", source.clone());
-            self.set("CMAKE_CURRENT_SOURCE_DIR", source);
-            self.set("CMAKE_CURRENT_BINARY_DIR", build);
+        self.variables = outer;
+        for (name, value) in std::mem::replace(&mut self.handed_up, handed_up) {
+            self.assign_value(name, value);
+        }
+    }
+
+    fn assign_value(&mut self, name: String, value: Option<String>) {
+        match value {
+            Some(value) => drop(self.variables.insert(name, value)),
+            None => drop(self.variables.remove(&name)),
         }
     }
 
@@ -139,10 +146,6 @@ impl CMakeReader<'_> {
             self.left -= PRICE;
             self.build.add(to, source);
         }
-    }
-
-    fn current_build_folder(&self) -> Option<String> {
-        self.variables.get("CMAKE_CURRENT_BINARY_DIR").cloned()
     }
 
     fn file(&mut self, path: &Path, folder: &Path, depth: u32) {
@@ -300,10 +303,17 @@ impl CMakeReader<'_> {
         let is_value =
             |word: &&CMakeWord| !matches!(word.as_deref(), Some("CACHE" | "PARENT_SCOPE"));
         let values: Option<Vec<String>> = values.iter().take_while(is_value).cloned().collect();
-        match values {
-            Some(values) => self.set(name, values.join(";")),
-            None => drop(self.variables.remove(name)),
+        let value = values.map(|values| values.join(";"));
+        let has = |wanted: &str| words.iter().flatten().any(|word| word == wanted);
+        if has("PARENT_SCOPE") {
+            self.handed_up.push((name.clone(), value));
+            return;
         }
+        // all folders share the cache
+        if has("CACHE") {
+            self.handed_up.push((name.clone(), value.clone()));
+        }
+        self.assign_value(name.clone(), value);
     }
 
     fn append(&mut self, words: &[CMakeWord]) {

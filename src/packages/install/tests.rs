@@ -159,6 +159,23 @@ fn folders_below_and_above() {
         ),
     ];
     assert_eq!(built(&nested, "meshes/a.stl"), MESH.0);
+    // a folder below has variables of its own, and hands some up
+    let with = |below: &'static str| {
+        [
+            MESH,
+            (
+                "demo/CMakeLists.txt",
+                "project(demo)\nset(WHERE share/other)\nadd_subdirectory(library)\ninstall(DIRECTORY description/meshes DESTINATION share/${PROJECT_NAME})\ninstall(FILES a.txt DESTINATION ${WHERE})",
+            ),
+            ("demo/library/CMakeLists.txt", below),
+            ("demo/a.txt", ""),
+        ]
+    };
+    let own = with("project(library)\nset(WHERE share/demo/mine)");
+    assert_eq!(built(&own, "meshes/a.stl"), MESH.0);
+    assert_eq!(built(&own, "mine/a.txt"), "");
+    let up = with("set(WHERE share/demo/mine PARENT_SCOPE)");
+    assert_eq!(built(&up, "mine/a.txt"), "demo/a.txt");
     let above = [
         (
             "demo/manual/package.xml",

@@ -15,6 +15,12 @@ pub(super) static RULE: Rule = Rule {
     check: Check::Analysis,
 };
 
+/// Whether a path is that of a recorded map.
+fn is_map(path: &str) -> bool {
+    let mut folders = path.rsplit('/').skip(1);
+    path.ends_with(".yaml") && folders.any(|folder| ["map", "maps"].contains(&folder))
+}
+
 /// The finding about a file that a launch file names and that is not there, with the path of one that it may mean.
 pub fn launched_file_not_found(span: Span, shown: &str, near: Option<&str>) -> Finding {
     let mut finding = Finding::new(&RULE, span, format!("file `{shown}` does not exist"));
@@ -24,8 +30,8 @@ pub fn launched_file_not_found(span: Span, shown: &str, near: Option<&str>) -> F
         None if is_of_rviz => "correct the path; RViz starts with its default displays".to_owned(),
         None => "correct the path; the launch file fails".to_owned(),
     });
-    // exporters write launch files that name settings which they do not write
-    if is_of_rviz && near.is_none() {
+    // exporters write launch files that name settings which they do not write; whoever has the robot records the map
+    if near.is_none() && (is_of_rviz || is_map(shown)) {
         finding.severity = Severity::Info;
     }
     finding

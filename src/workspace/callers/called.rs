@@ -173,9 +173,15 @@ fn all(uses: &Uses, packages: &Packages) -> LaunchCalls {
     let all = found.calls.iter().chain(&found.loads);
     let with_robots: FastSet<&Path> = all.map(|call| call.caller.as_path()).collect();
     let started = started_with(&files, &with_robots, &by_path, packages);
-    found
-        .opened
-        .retain(|one| started.contains(one.caller.as_path()));
+    let package = |path: &Path| packages.containing(path).map(|package| package.folder);
+    let of_robots: FastSet<PathBuf> = with_robots
+        .iter()
+        .filter_map(|path| package(path))
+        .collect();
+    found.opened.retain(|one| {
+        let is_beside = || package(&one.caller).is_some_and(|folder| of_robots.contains(&folder));
+        started.contains(one.caller.as_path()) || is_beside()
+    });
     let transforms = files.iter().flat_map(|file| {
         let all = transforms_in(file).into_iter();
         all.map(|transform| PublishedTransform {

@@ -74,6 +74,11 @@ fn python() {
                 &["$(find r)/a.sdf", "$(find r)/a.launch.py"],
             ),
             (
+                "a path that is joined",
+                "p = get_package_share_directory('r')\nNode(parameters=[os.path.join(p, 'config', 'a.yaml')])",
+                &["$(find r)/config/a.yaml"],
+            ),
+            (
                 "a node that nothing starts",
                 "node = Node(parameters=['/r/a.yaml'])\n",
                 &[],

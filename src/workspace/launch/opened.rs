@@ -38,6 +38,5 @@ pub(crate) fn opened_in(file: &LaunchFile, context: &LaunchContext) -> Vec<Launc
 }
 
 fn is_file(word: &CommandWord) -> bool {
-    let name = word.file_name();
-    name.is_some_and(|name| ENDINGS.iter().any(|ending| name.ends_with(ending)))
+    word.is_known() && ENDINGS.iter().any(|ending| word.shown().ends_with(ending))
 }
