@@ -159,6 +159,7 @@ fn findings_of_loads(session: &Session, loads: &[RobotCall], found: &mut Vec<Fin
         };
         let before = found.len();
         found.extend(LaunchedDescriptions(session).missing_load(group));
+        found.extend(LaunchedDescriptions(session).of_other_package(group));
         found.extend(LaunchedDescriptions(session).unexpanded_load(group));
         found.extend(uninstalled_file(session, group));
         lower_left_over(session, &load.call.caller, found, before);
@@ -277,6 +278,7 @@ fn findings_of(
         .collect();
     let is_there = |path: &&&PathBuf| session.vfs.is_file(path);
     found.extend(LaunchedDescriptions(session).missing_in(group));
+    found.extend(LaunchedDescriptions(session).of_other_package(group));
     let robots: Vec<(&PathBuf, Arc<KnownArguments>)> = targets
         .iter()
         .filter(is_there)

@@ -419,6 +419,15 @@ fn files_that_are_not_there() {
     check(rviz, &[], &["info launch/a.launch.py"]);
     let elsewhere = [("rviz/a.rviz", "")];
     check(rviz, &elsewhere, &["warning launch/a.launch.py"]);
+    // a package that was renamed or copied
+    let other = "other = get_package_share_directory('bot')\nopen(other + '/r.urdf')";
+    check(other, &[], &["warning launch/a.launch.py"]);
+    let manifest = "<package><name>cart</name><depend>bot</depend></package>";
+    check(other, &[("package.xml", manifest)], &[]);
+    check(&other.replace("r.urdf", "s.urdf"), &[], &[]);
+    // programs of others have settings of the same name
+    let others = "other = get_package_share_directory('bot')\nNode(package='a', executable='b', parameters=[other + '/a.yaml'])";
+    check(others, &[("a.yaml", "")], &[]);
     // the map is recorded; tests need not run
     let map = "Node(package='a', executable='b', parameters=[here + '/maps/a.yaml'])";
     check(map, &[], &["info launch/a.launch.py"]);

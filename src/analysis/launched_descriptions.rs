@@ -5,7 +5,9 @@ use std::path::{Path, PathBuf};
 use super::session::Session;
 use base::Span;
 use packages::nearest;
-use rules::{Finding, Group, Severity, launched_file_not_found, launched_without_xacro};
+use rules::{
+    Finding, Group, Severity, launched_file_not_found, launched_without_xacro, own_instead,
+};
 use workspace::{RobotCall, is_ignored_by_git};
 use xml::Document;
 
@@ -99,11 +101,7 @@ impl LaunchedDescriptions<'_> {
             return None;
         }
         let missing = group.iter().find(|call| self.is_missing(call))?;
-        let place = missing.call.file.written().unwrap_or(missing.call.range);
-        let span = Span {
-            file: self.0.vfs.file_id(&missing.call.caller),
-            range: place,
-        };
+        let span = self.place(missing);
         let near = self.similar_description(missing);
         let mut finding =
             launched_file_not_found(span, &missing.call.file.shown(), near.as_deref());
@@ -118,6 +116,33 @@ impl LaunchedDescriptions<'_> {
             finding.severity = Severity::Info;
         }
         Some(finding)
+    }
+
+    /// A description of a package that is not known, where the package of the launch file has it at the same path.
+    pub fn of_other_package(&self, group: &[RobotCall]) -> Option<Finding> {
+        let call = group.first()?;
+        let (name, path) = call.call.file.in_package()?;
+        let caller = &call.call.caller;
+        if !call.call.file.is_known() || self.0.packages.find(name, caller).is_ok() {
+            return None;
+        }
+        let path = path.trim_start_matches('/');
+        let settings = self.0.settings(caller);
+        let own = own_instead(self.0.rule_env(&settings.config), name, path, caller)?;
+        let near = format!("`{path}` in package `{own}`");
+        let shown = call.call.file.shown();
+        let mut finding = launched_file_not_found(self.place(call), &shown, Some(&near));
+        // the name of the package is wrong everywhere
+        finding.group = Some(Group::Thing(format!("package {name}").into()));
+        Some(finding)
+    }
+
+    /// Where a call names its file.
+    fn place(&self, call: &RobotCall) -> Span {
+        Span {
+            file: self.0.vfs.file_id(&call.call.caller),
+            range: call.call.file.written().unwrap_or(call.call.range),
+        }
     }
 
     /// A description that a call may mean: one of the same name elsewhere, or one of a similar name beside it.

@@ -13,10 +13,8 @@ pub(super) fn missing_file(session: &Session, group: &[RobotCall]) -> Option<Fin
     let mut targets = group.iter().filter_map(|call| call.target.as_deref());
     let target = targets.find(|path| !session.vfs.exists(path))?;
     // a folder that is missing or was renamed is one mistake
-    let folder = target.parent().unwrap_or(target);
-    finding.group = Some(Group::Thing(
-        format!("files in {}", folder.display()).into(),
-    ));
+    let folder = target.parent().unwrap_or(target).display();
+    finding.group = Some(Group::Thing(format!("files in {folder}").into()));
     lower_for_tests(session, group, &mut finding);
     Some(finding)
 }

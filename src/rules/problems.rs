@@ -2,7 +2,7 @@
 use super::context::{RuleEnv, is_plain_urdf};
 use super::finding::{Edit, Finding, Fix, Related};
 use super::grouping::Group;
-use super::package::{PACKAGE_NOT_FOUND, is_news};
+use super::package::{PACKAGE_NOT_FOUND, excuse_find};
 use super::place;
 use super::problem_cx::ProblemCx;
 use super::rule::{Rule, Safety, Severity};
@@ -129,10 +129,7 @@ fn excuse_packages(findings: &mut Vec<Finding>, world: RuleEnv<'_>) {
                 }
                 continue;
             }
-            // the expander offers a replacement when another package seems to be meant
-            if !is_news(world, finding.fix.as_ref().map(|_| "")) {
-                finding.severity = Severity::Info;
-            }
+            excuse_find(world, &mut finding);
         }
         kept.push(finding);
     }

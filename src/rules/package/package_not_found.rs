@@ -10,7 +10,7 @@ use super::super::grouping::Group;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::dependencies;
-use base::{TextRange, counted};
+use base::{Span, TextRange, counted};
 use expand::{Expansion, FileIdx, Origin, Read, XAttr, XId};
 use facts::may_hold;
 use packages::NotFound;
@@ -33,7 +33,7 @@ const MOST_PLACES: usize = 10;
 
 /// Whether a missing package is a defect: without any ROS, packages of others are missing everywhere, and only a name
 /// that seems misspelled is one.
-pub(in super::super) fn is_news(world: RuleEnv<'_>, nearest: Option<&str>) -> bool {
+fn is_news(world: RuleEnv<'_>, nearest: Option<&str>) -> bool {
     world.has_ros || nearest.is_some()
 }
 
@@ -234,12 +234,44 @@ fn look_up(
 
 /// The package of a description, if it has the file that a URI names in another one, which it does not depend on.
 fn own_with(world: RuleEnv<'_>, attr: &XAttr, from: &Path) -> Option<String> {
+    own_instead(world, package(attr)?, path_in_package(attr)?, from)
+}
+
+/// The package of a file, if it has a path that the file names in another package, which it does not depend on: it had that name
+/// once, or was copied.
+pub fn own_instead(world: RuleEnv<'_>, name: &str, path: &str, from: &Path) -> Option<String> {
     let own = world.packages.containing(from)?;
-    let is_here = world.vfs.is_file(&own.folder.join(path_in_package(attr)?));
+    let is_here = world.vfs.is_file(&own.folder.join(path));
     let manifest = dependencies::manifest_around(world, from);
-    let is_declared =
-        manifest.is_some_and(|manifest| package(attr).is_some_and(|name| manifest.declares(name)));
+    let is_declared = manifest.is_some_and(|manifest| manifest.declares(name));
     (is_here && !is_declared).then(|| own.name.to_string())
+}
+
+/// The package of a file that has what `$(find name)` starts the path to. `name`: the place of the name.
+fn own_behind_find(world: RuleEnv<'_>, name: Span) -> Option<String> {
+    let from = world.vfs.path(name.file);
+    let file = world.vfs.text(&from).ok()?;
+    let behind = file.text.get(name.range.end as usize..)?.trim_start();
+    let path = behind.strip_prefix(')')?.trim_start_matches('/');
+    let end = path.find(|c: char| c.is_whitespace() || "\"'$<>".contains(c))?;
+    let path = path.get(..end).filter(|path| !path.is_empty())?;
+    own_instead(world, name.range.slice(&file.text), path, &from)
+}
+
+/// What is missing on a machine without ROS is an info; where the own package has what is named, that may be meant.
+pub(in super::super) fn excuse_find(world: RuleEnv<'_>, finding: &mut Finding) {
+    // the expander offers a replacement when another package seems to be meant
+    if finding.fix.is_some() {
+        return;
+    }
+    if let Some(own) = own_behind_find(world, finding.span) {
+        finding.help = Some(format!(
+            "if `{own}` is meant, write that: it has the file at the same path"
+        ));
+    }
+    if !is_news(world, None) {
+        finding.severity = Severity::Info;
+    }
 }
 
 /// Whether a folder around a file has what a `package://` URI names, taken as a path.
