@@ -14,6 +14,7 @@ use super::launched_controllers::findings_of_spawners;
 use super::launched_descriptions::LaunchedDescriptions;
 use super::launched_files::{missing_file, uninstalled_file};
 use super::launched_hardware::findings_of_hardware;
+use super::launched_managers::findings_of_managers;
 use super::launched_transforms::findings_of_transforms;
 use super::options::CheckOptions;
 use super::session::Session;
@@ -56,6 +57,13 @@ pub(super) fn launch_findings(session: &Session, options: &CheckOptions) -> Vec<
         ));
         found.extend(findings_of_spawners(session, &folder, |_| true));
         found.extend(findings_of_hardware(
+            session,
+            cancel,
+            &mut robots,
+            &folder,
+            |_| true,
+        ));
+        found.extend(findings_of_managers(
             session,
             cancel,
             &mut robots,
@@ -110,6 +118,13 @@ pub(super) fn shown_launch_findings(
         ));
         found.extend(findings_of_spawners(session, &top, is_shown));
         found.extend(findings_of_hardware(
+            session,
+            cancel,
+            &mut called,
+            &top,
+            is_shown,
+        ));
+        found.extend(findings_of_managers(
             session,
             cancel,
             &mut called,

@@ -40,6 +40,7 @@ mod launched_controllers;
 mod launched_descriptions;
 mod launched_files;
 mod launched_hardware;
+mod launched_managers;
 mod launched_transforms;
 mod left_over;
 mod lock;

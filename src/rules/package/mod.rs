@@ -17,6 +17,7 @@ mod malformed_package_xml;
 mod manifest;
 mod mention;
 mod mentions;
+mod missing_controller_manager;
 mod missing_launch_argument;
 pub(super) mod missing_package_dependency;
 pub(super) mod package_not_found;
@@ -40,6 +41,7 @@ pub use launched_file_not_installed::launched_file_not_installed;
 pub use launched_without_xacro::launched_without_xacro;
 pub use manifest::Manifests;
 pub(super) use mention::PackageMention;
+pub use missing_controller_manager::{Lacking, missing_controller_manager};
 pub use missing_launch_argument::missing_launch_argument;
 pub(super) use package_not_found::{RULE as PACKAGE_NOT_FOUND, excuse_find, warn_once};
 pub use package_not_found::{missing_packages, own_instead};
@@ -73,4 +75,5 @@ pub(super) static RULES: &[&Rule] = &[
     &spawned_controller_not_found::RULE,
     &unloadable_hardware::RULE,
     &launched_file_not_installed::RULE,
+    &missing_controller_manager::RULE,
 ];

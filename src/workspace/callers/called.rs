@@ -3,7 +3,7 @@
 
 use std::path::{Path, PathBuf};
 
-use base::limits::{CALLER_CALLS, LAUNCH_INCLUDES};
+use base::limits::{CALLER_CALLS, LAUNCH_CALLS, LAUNCH_INCLUDES};
 use base::{FastMap, FastSet, TextRange};
 
 use super::choices::{Excluded, excluded};
@@ -44,6 +44,10 @@ pub struct SpawnedControllers {
     pub file: PathBuf,
     /// What it starts.
     pub controllers: Vec<SpawnedController>,
+    /// The launch file, and those that are always started with it.
+    pub started: Vec<PathBuf>,
+    /// The launch file, and all those that it may start; none where not all are known.
+    pub reached: Option<Vec<PathBuf>>,
 }
 
 /// A node that loads the hardware of a robot, whenever its launch file is started.
@@ -190,11 +194,15 @@ fn all(uses: &Uses, packages: &Packages) -> LaunchCalls {
             started: started_by(file, &by_path, packages),
         })
     });
-    let spawned = files.iter().map(|file| SpawnedControllers {
-        file: file.path.clone(),
-        controllers: spawned_in(file),
+    let spawned = files.iter().filter_map(|file| {
+        let controllers = spawned_in(file);
+        (!controllers.is_empty()).then(|| SpawnedControllers {
+            file: file.path.clone(),
+            controllers,
+            started: started_by(file, &by_path, packages),
+            reached: reached_from(file, &by_path, packages),
+        })
     });
-    let spawned = spawned.filter(|one| !one.controllers.is_empty());
     let control_nodes = files.iter().flat_map(|file| {
         let always = file.control_nodes.iter();
         let always = always.filter(|command| command.assumed.is_empty());
@@ -239,6 +247,45 @@ fn started_by(
         }
     }
     started
+}
+
+/// A launch file, and all that it may include, but for those of packages that start a simulator; none where not all are known.
+fn reached_from(
+    file: &LaunchFile,
+    by_path: &FastMap<&Path, &LaunchFile>,
+    packages: &Packages,
+) -> Option<Vec<PathBuf>> {
+    /// Packages of others whose launch files are known.
+    const KNOWN: [&str; 5] = [
+        "gazebo_ros",
+        "nav2_bringup",
+        "ros_gz_sim",
+        "ros_ign_gazebo",
+        "slam_toolbox",
+    ];
+    let mut reached = vec![file.path.clone()];
+    let mut next = 0;
+    while let Some(path) = reached.get(next).cloned() {
+        next += 1;
+        let Some(file) = by_path.get(path.as_path()) else {
+            continue;
+        };
+        for (name, _) in included(file, &LaunchContext::default()) {
+            let of_others = name.in_package().map(|(package, _)| package);
+            if of_others.is_some_and(|package| KNOWN.contains(&package)) {
+                continue;
+            }
+            let path = name.path(packages, &file.path)?;
+            let path = packages.present(&path).into_owned();
+            if !packages.vfs().is_file(&path) || reached.len() > LAUNCH_CALLS {
+                return None;
+            }
+            if !reached.contains(&path) {
+                reached.push(path);
+            }
+        }
+    }
+    Some(reached)
 }
 
 /// The launch files that start one of some launch files, and all that those start.
