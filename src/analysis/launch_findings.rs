@@ -16,6 +16,7 @@ use super::launched_files::{missing_file, uninstalled_file};
 use super::launched_hardware::findings_of_hardware;
 use super::launched_managers::findings_of_managers;
 use super::launched_transforms::findings_of_transforms;
+use super::launched_worlds::findings_of_worlds;
 use super::options::CheckOptions;
 use super::session::Session;
 use super::uses::is_example_of_driver;
@@ -64,6 +65,13 @@ pub(super) fn launch_findings(session: &Session, options: &CheckOptions) -> Vec<
             |_| true,
         ));
         found.extend(findings_of_managers(
+            session,
+            cancel,
+            &mut robots,
+            &folder,
+            |_| true,
+        ));
+        found.extend(findings_of_worlds(
             session,
             cancel,
             &mut robots,
@@ -125,6 +133,13 @@ pub(super) fn shown_launch_findings(
             is_shown,
         ));
         found.extend(findings_of_managers(
+            session,
+            cancel,
+            &mut called,
+            &top,
+            is_shown,
+        ));
+        found.extend(findings_of_worlds(
             session,
             cancel,
             &mut called,

@@ -42,6 +42,7 @@ mod launched_files;
 mod launched_hardware;
 mod launched_managers;
 mod launched_transforms;
+mod launched_worlds;
 mod left_over;
 mod lock;
 mod lowered;

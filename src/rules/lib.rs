@@ -67,8 +67,9 @@ pub use package::{
     Lacking, Manifests, YamlReader, argument_never_set, description_read_as_yaml,
     generated_urdf_out_of_date, launched_file_not_found, launched_file_not_installed,
     launched_without_xacro, looping_transform, missing_controller_manager, missing_launch_argument,
-    missing_packages, own_instead, repeated_transform, spawned_controller_not_found,
-    unknown_launch_argument, unloadable_hardware, value_never_compared, value_outside_choices,
+    missing_packages, missing_sensors_system, own_instead, repeated_transform,
+    spawned_controller_not_found, unknown_launch_argument, unloadable_hardware,
+    value_never_compared, value_outside_choices,
 };
 pub use problems::{rejections, rule_of};
 pub use registry::{all, by_code, find, nearest_selector, unknown_selector};

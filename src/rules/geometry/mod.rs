@@ -15,6 +15,7 @@ mod dae_unit;
 mod dae_up_axis;
 pub(super) mod duplicate_material;
 mod empty_geometry;
+mod invisible_material;
 mod malformed_resource_uri;
 mod material_redefinition;
 mod material_without_color;
@@ -100,4 +101,5 @@ pub(super) static RULES: &[&Rule] = &[
     &collision_left_out::RULE,
     &mesh_path_without_scheme::RULE,
     &collision_origin_mismatch::RULE,
+    &invisible_material::RULE,
 ];

@@ -20,6 +20,7 @@ mod mentions;
 mod missing_controller_manager;
 mod missing_launch_argument;
 pub(super) mod missing_package_dependency;
+mod missing_sensors_system;
 pub(super) mod package_not_found;
 mod resource_not_installed;
 mod spawned_controller_not_found;
@@ -43,6 +44,7 @@ pub use manifest::Manifests;
 pub(super) use mention::PackageMention;
 pub use missing_controller_manager::{Lacking, missing_controller_manager};
 pub use missing_launch_argument::missing_launch_argument;
+pub use missing_sensors_system::missing_sensors_system;
 pub(super) use package_not_found::{RULE as PACKAGE_NOT_FOUND, excuse_find, warn_once};
 pub use package_not_found::{missing_packages, own_instead};
 pub use spawned_controller_not_found::spawned_controller_not_found;
@@ -76,4 +78,5 @@ pub(super) static RULES: &[&Rule] = &[
     &unloadable_hardware::RULE,
     &launched_file_not_installed::RULE,
     &missing_controller_manager::RULE,
+    &missing_sensors_system::RULE,
 ];

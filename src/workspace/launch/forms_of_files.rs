@@ -74,6 +74,11 @@ fn python() {
                 &["$(find r)/a.sdf", "$(find r)/a.launch.py"],
             ),
             (
+                "a line of words",
+                "p = get_package_share_directory('r')\nIncludeLaunchDescription('/g/gz_sim.launch.py', launch_arguments={'gz_args': ['-r -v 4 ', p, '/a.sdf']}.items())",
+                &["$(find r)/a.sdf", "/g/gz_sim.launch.py"],
+            ),
+            (
                 "a path that is joined",
                 "p = get_package_share_directory('r')\nNode(parameters=[os.path.join(p, 'config', 'a.yaml')])",
                 &["$(find r)/config/a.yaml"],

@@ -2,6 +2,7 @@
 //! launch files.
 
 use super::LaunchFile;
+use super::command::split;
 use super::resolve::{CommandWord, LaunchCall, LaunchContext, Resolver};
 
 /// Endings of such files.
@@ -23,7 +24,11 @@ pub(crate) fn opened_in(file: &LaunchFile, context: &LaunchContext) -> Vec<Launc
     for command in &file.files {
         let resolver = Resolver::new(file, context, &command.assumed);
         let words = resolver.words(command).unwrap_or_default();
-        let files = words.into_iter().filter(is_file);
+        // what is passed on may be a line of words: `-r -v 4 world.sdf`
+        let words = words
+            .iter()
+            .flat_map(|word| split(word).unwrap_or_default());
+        let files = words.filter(is_file);
         found.extend(files.map(|word| LaunchCall {
             caller: file.path.clone(),
             through: context.through.clone(),
