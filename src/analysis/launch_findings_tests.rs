@@ -441,7 +441,7 @@ fn files_that_are_not_there() {
     );
     // of other packages, launch files are looked at that such a one includes
     let include = "there = get_package_share_directory('tools')\nIncludeLaunchDescription(there + '/launch/b.launch.py')";
-    let inner = "here = get_package_share_directory('cart')\nNode(package='a', executable='b', parameters=[here + '/config/b.yaml'])";
+    let inner = "from launch import LaunchDescription\nhere = get_package_share_directory('cart')\nNode(package='a', executable='b', parameters=[here + '/config/b.yaml'])";
     let inner = [
         ("package.xml", "<package><name>cart</name></package>"),
         ("tools/package.xml", "<package><name>tools</name></package>"),

@@ -36,6 +36,7 @@ pub use error::{LoadError, LoadErrorKind};
 pub use glob::{TooMany, Wildcard, covers, has_magic};
 pub use output::write_atomically;
 pub use process::{first_stack, is_process_alive, unbuffered_stdout};
+use relative::is_tidy;
 pub use relative::{relative, shown_path, slashed, spelled, without_parents};
 pub use stat_cache::StatSnapshot;
 
@@ -532,15 +533,6 @@ impl Vfs {
             None => TextSource::Disk(stat),
         })
     }
-}
-
-/// Whether a look at the letters alone tells that a path is absolute and has nothing in it to be tidied up.
-fn is_tidy(path: &Path) -> bool {
-    let Some(steps) = path.as_os_str().as_encoded_bytes().strip_prefix(b"/") else {
-        return false;
-    };
-    let is_plain = |step: &[u8]| !matches!(step, b"" | b"." | b"..");
-    !cfg!(windows) && steps.split(|&byte| byte == b'/').all(is_plain)
 }
 
 /// A path without `folder/..`, where the system sees it so too: a link leads elsewhere, and nothing leads back from a

@@ -14,8 +14,24 @@ pub fn relative(folder: &Path, path: &Path) -> PathBuf {
     up.chain(to.into_iter().skip(common)).collect()
 }
 
+/// Whether the letters alone tell that a path is absolute and has nothing in it to be tidied up.
+pub(super) fn is_tidy(path: &Path) -> bool {
+    let bytes = path.as_os_str().as_encoded_bytes();
+    let is_plain = |slash: usize| {
+        let step = bytes.get(slash + 1..).unwrap_or_default();
+        !matches!(
+            step,
+            [] | [b'/', ..] | [b'.'] | [b'.', b'/', ..] | [b'.', b'.'] | [b'.', b'.', b'/', ..]
+        )
+    };
+    !cfg!(windows) && bytes.starts_with(b"/") && memchr::memchr_iter(b'/', bytes).all(is_plain)
+}
+
 /// A path with `folder/..` taken out, by its text alone: links are not followed, and nothing has to exist.
 pub fn without_parents(path: &Path) -> PathBuf {
+    if is_tidy(path) {
+        return path.to_owned();
+    }
     let mut clean = PathBuf::new();
     for component in path.components() {
         match component {
@@ -51,7 +67,7 @@ pub fn shown_path(path: &Path, cwd: &Path) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{relative, slashed, without_parents};
+    use super::{is_tidy, relative, slashed, without_parents};
     use std::path::Path;
 
     #[test]
@@ -67,6 +83,19 @@ mod tests {
                 Path::new(expected),
                 "{path}"
             );
+        }
+    }
+
+    #[test]
+    #[cfg(not(windows))]
+    fn tidy_paths() {
+        for path in ["/a/b", "/a/.b", "/a/..b/c.x", "/a b"] {
+            assert!(is_tidy(Path::new(path)), "{path}");
+        }
+        for path in [
+            "a/b", "/", "/a/", "/a//b", "/a/./b", "/a/.", "/a/../b", "/..", "",
+        ] {
+            assert!(!is_tidy(Path::new(path)), "{path}");
         }
     }
 

@@ -403,10 +403,11 @@ fn through(
 /// The description that a call names, as it is in the source tree; none for one that the build makes from a template.
 pub(super) fn target(call: &LaunchCall, packages: &Packages) -> Option<PathBuf> {
     let path = call.file.path(packages, &call.caller)?;
-    match packages
-        .built(&path)
-        .filter(|_| !packages.vfs().exists(&path))
-    {
+    // what the build does is only read for what is not there without it
+    if packages.vfs().exists(&path) {
+        return Some(path);
+    }
+    match packages.built(&path) {
         Some(built) if built.is_template => None,
         Some(built) => Some(built.path),
         None => Some(path),

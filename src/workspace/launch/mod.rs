@@ -199,9 +199,12 @@ pub(super) fn may_call(text: &str) -> bool {
     let has_any = |words: &[&str]| words.iter().any(|word| text.contains(word));
     has_any(&WORDS)
         || has_any(&[TRANSFORM_PUBLISHER, SPAWNER])
-        || has_any(&opened::ENDINGS)
+        || has_any(&LAUNCHES) && has_any(&opened::ENDINGS)
         || has_any(&LOADS) && has_any(&DESCRIPTIONS)
 }
+
+/// What the text of a launch file has.
+const LAUNCHES: [&str; 2] = ["LaunchDescription", "<launch"];
 
 /// Endings of the names of descriptions.
 const DESCRIPTIONS: [&str; 3] = [".urdf", ".xacro", ".srdf"];
